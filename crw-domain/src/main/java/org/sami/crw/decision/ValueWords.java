@@ -2,6 +2,8 @@ package org.sami.crw.decision;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.DurationValue;
@@ -25,6 +27,8 @@ import org.sami.spn.value.VariableReference;
 public final class ValueWords {
     private static final int ITEMS_SHOWN = 4;
     private static final String NAME = "name";
+    private static final Map<String, String> UNITS = Map.of("M", "m", "Mps", "m/s", "S", "s", "Deg", "\u00b0");
+    private static final Pattern BEFORE_CAPITAL = Pattern.compile("(?<=[a-z])(?=[A-Z])");
 
     private ValueWords() {}
 
@@ -49,9 +53,26 @@ public final class ValueWords {
                 .filter(field -> !(field.getValue() instanceof MapValue)
                         && !field.getKey().equals(NAME)
                         && !of(field.getValue()).isEmpty())
-                .map(field -> field.getKey() + " "
-                        + (field.getValue() instanceof RealValue real ? rounded(real.value()) : of(field.getValue())))
+                .map(field -> part(field.getKey(), field.getValue()))
                 .collect(Collectors.joining(", "));
+    }
+
+    /** A field with its name in words; the unit of a number is the end of its name, such as {@code totalLengthM}. */
+    private static String part(String name, Value value) {
+        if (!(value instanceof RealValue real)) {
+            return words(name) + " " + of(value);
+        }
+        for (Map.Entry<String, String> unit : UNITS.entrySet()) {
+            if (name.length() > unit.getKey().length() && name.endsWith(unit.getKey())) {
+                String bare = name.substring(0, name.length() - unit.getKey().length());
+                return words(bare) + " " + rounded(real.value()) + " " + unit.getValue();
+            }
+        }
+        return words(name) + " " + rounded(real.value());
+    }
+
+    private static String words(String name) {
+        return BEFORE_CAPITAL.matcher(name).replaceAll(" ").toLowerCase(Locale.ROOT);
     }
 
     private static String rounded(double value) {

@@ -4,11 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
+import org.sami.spn.value.RealValue;
+import org.sami.spn.value.RecordValue;
+import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /** What people read of values that are answered, offered and set. */
@@ -31,5 +35,15 @@ class ValueWordsTest {
         assertThat(ValueWords.of(new GeoPath(many))).isEqualTo("9 points");
         assertThat(ValueWords.of(new ListValue(Collections.<Value>nCopies(5, SQUARE))))
                 .isEqualTo("5 areas");
+    }
+
+    @Test
+    void figuresOfAnOptionHaveTheirUnitsAndNamesInWords() {
+        RecordValue allocation = new RecordValue(
+                "Allocation",
+                Map.of("totalLengthM", new RealValue(183.04), "method", new TextValue("Sequential auction")));
+
+        assertThat(ValueWords.label(allocation).split(", "))
+                .containsExactlyInAnyOrder("total length 183.0 m", "method Sequential auction");
     }
 }

@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.MixedInitiative;
 import org.sami.crw.decision.OfferedOption;
@@ -73,7 +72,7 @@ final class DecisionRows {
         MixedInitiative autonomy = shown.autonomy();
         autonomy.atMillis().ifPresent(at -> row.put("deadline", at).put("autonomy", autonomy.phrase()));
         form(row, shown);
-        shapes(row, shown);
+        DecisionMarkups.put(row, pending);
     }
 
     private void form(ObjectNode row, DecisionPresentation shown) {
@@ -127,14 +126,5 @@ final class DecisionRows {
                 && types.get(named.name()) instanceof NamedType.Enumeration constants) {
             constants.constants().forEach(field.putArray("choices")::add);
         }
-    }
-
-    private static void shapes(ObjectNode row, DecisionPresentation shown) {
-        shown.map().area().ifPresent(part -> {
-            Optional<ObjectNode> shape =
-                    part.area().map(Shapes::area).or(() -> part.point().map(Shapes::place));
-            shape.ifPresent(
-                    one -> row.putArray("shapes").addObject().put("label", "").set("shape", one));
-        });
     }
 }

@@ -58,6 +58,10 @@ public final class SessionRows {
                 "messages",
                 List.of(models.messages().snapshot()),
                 () -> SituationRows.messages(models.messages().snapshot()));
+        remake(
+                "standings",
+                List.of(models.communication().snapshot()),
+                () -> SituationRows.standings(models.communication().snapshot()));
         remake("alarms", List.of(alarms), () -> SituationRows.alarms(alarms));
         remake("faults", List.of(health), () -> SituationRows.faults(health));
         remake("areas", List.of(map.areas(), map.places()), () -> SituationRows.areas(map));

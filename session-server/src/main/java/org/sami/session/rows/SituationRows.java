@@ -4,7 +4,9 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import org.sami.crw.message.MessageEntry;
 import org.sami.crw.operator.alarm.Alarm;
+import org.sami.crw.operator.boat.BoatCommunication;
 import org.sami.crw.operator.boat.FleetStopState;
+import org.sami.crw.operator.boat.ProxyStatus;
 import org.sami.crw.operator.health.Health;
 import org.sami.crw.operator.health.HealthEntry;
 import org.sami.crw.operator.map.MapSnapshot;
@@ -71,10 +73,22 @@ final class SituationRows {
             row.put("at", entry.message().atMillis());
             row.put("priority", BoatRows.word(entry.message().priority()));
             row.put("text", Table.Builder.cut(entry.message().text()));
+            Table.Builder.put(row, "keyword", entry.message().keyword());
             Table.Builder.ids(row, "boats", entry.message().boats());
             mission(row, "mission", entry.message().mission());
             row.put("acknowledged", entry.acknowledged());
             row.put("count", entry.count());
+        }
+        return table.build();
+    }
+
+    /** How boats stand in missions, by the markup Proxy Status; those that stand well are left out. */
+    static Table standings(List<BoatCommunication> boats) {
+        Table.Builder table = new Table.Builder("standings", BoatRows.MOST_BOATS);
+        for (BoatCommunication boat : boats) {
+            if (boat.status() != ProxyStatus.NOMINAL) {
+                table.row(boat.boat()).put("status", BoatRows.word(boat.status()));
+            }
         }
         return table.build();
     }

@@ -22,6 +22,11 @@ export class Chart {
     this.markers = new Map();
     this.drawn = '';
     this.isPlaced = false;
+    this.withPaths = false;
+    /** Boats of the decision that is shown. @type {Set<string>} */
+    this.stressed = new Set();
+    /** Boats to which decisions that nobody here has opened draw attention, and how. @type {Map<string, string>} */
+    this.attention = new Map();
     /** @type {((point: [number, number]) => void) | null} */
     this.taking = null;
     this.map.on('click', (/** @type {any} */ event) => this.taking?.([event.latlng.lat, event.latlng.lng]));
@@ -32,17 +37,23 @@ export class Chart {
     this.map.invalidateSize();
   }
 
-  /** The colour of a boat: the same as in windows where all boats came in the order of their names. @param {import('./link.js').Link} link @param {string} id */
+  /** The colour of a boat, which it keeps: the same as in windows where all boats came in the order of their names. @param {import('./link.js').Link} link @param {string} id */
   static color(link, id) {
-    const index = link.all('boats').findIndex((boat) => boat.id === id);
-    return COLORS[Math.max(0, index) % COLORS.length];
+    return COLORS[link.numberOf(id) % COLORS.length];
   }
 
   /** @param {import('./link.js').Link} link @param {string | null} selected */
   show(link, selected) {
     const boats = link.all('boats').filter((boat) => boat.lat !== undefined);
     for (const boat of boats) {
-      this.boat(boat, Chart.color(link, boat.id), boat.id === selected, link.now() - (boat.heard ?? 0) > SILENT_MS || !link.isOpen);
+      const marks = [
+        boat.id === selected ? 'selected' : '',
+        link.now() - (boat.heard ?? 0) > SILENT_MS || !link.isOpen ? 'silent' : '',
+        boat.alarm || link.row('standings', boat.id)?.status === 'severe' ? 'alarm' : link.row('standings', boat.id) ? 'warned' : '',
+        this.stressed.has(boat.id) ? 'stressed' : '',
+        this.attention.get(boat.id) ?? '',
+      ];
+      this.boat(boat, Chart.color(link, boat.id), marks.filter(Boolean).join(' '));
     }
     for (const [id, marker] of this.markers) {
       if (!boats.some((boat) => boat.id === id)) {
@@ -72,9 +83,9 @@ export class Chart {
     }
   }
 
-  /** @param {any} boat @param {string} color @param {boolean} selected @param {boolean} silent */
-  boat(boat, color, selected, silent) {
-    const text = JSON.stringify([color, Math.round(boat.heading ?? 0), selected, silent, boat.alarm]);
+  /** @param {any} boat @param {string} color @param {string} marks classes of its figure */
+  boat(boat, color, marks) {
+    const text = JSON.stringify([color, Math.round(boat.heading ?? 0), marks]);
     let marker = this.markers.get(boat.id);
     if (!marker) {
       marker = L.marker([boat.lat, boat.lon], {keyboard: false, icon: L.divIcon({className: 'boat'})}).on('click', (/** @type {any} */ event) => this.touched(boat.id, event));
@@ -84,7 +95,7 @@ export class Chart {
     marker.setLatLng([boat.lat, boat.lon]);
     if (marker.shownText !== text) {
       marker.shownText = text;
-      marker.setIcon(L.divIcon({className: 'boat', iconSize: [48, 48], html: Chart.figure(boat, color, selected, silent)}));
+      marker.setIcon(L.divIcon({className: 'boat', iconSize: [48, 48], html: Chart.figure(boat, color, marks)}));
     }
   }
 
@@ -98,10 +109,10 @@ export class Chart {
     }
   }
 
-  /** @param {any} boat @param {string} color @param {boolean} selected @param {boolean} silent */
-  static figure(boat, color, selected, silent) {
+  /** @param {any} boat @param {string} color @param {string} marks */
+  static figure(boat, color, marks) {
     const figure = document.createElement('div');
-    figure.className = 'figure' + (selected ? ' selected' : '') + (silent ? ' silent' : '') + (boat.alarm ? ' alarm' : '');
+    figure.className = 'figure ' + marks;
     const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     svg.setAttribute('viewBox', '-12 -12 24 24');
     const hull = document.createElementNS(svg.namespaceURI, 'path');
@@ -119,11 +130,12 @@ export class Chart {
   lines(link) {
     this.areas.clearLayers();
     this.ways.clearLayers();
+    const isThick = (/** @type {string} */ id) => this.withPaths && this.stressed.has(id);
     for (const area of link.all('areas')) {
       this.put(this.areas, area.shape, Chart.style(area.kind), area.name.startsWith('@') ? '' : area.name);
     }
     for (const way of link.all('paths')) {
-      L.polyline(way.points, {color: Chart.color(link, way.id), weight: 2, dashArray: '6 4', interactive: false}).addTo(this.ways);
+      L.polyline(way.points, {color: Chart.color(link, way.id), weight: isThick(way.id) ? 5 : 2, dashArray: isThick(way.id) ? null : '6 4', interactive: false}).addTo(this.ways);
     }
   }
 
@@ -162,17 +174,31 @@ export class Chart {
     }
   }
 
-  /** Shows what belongs to a decision. @param {any[]} shapes as `{label, shape}` */
-  preview(shapes) {
+  /** Shows what belongs to a decision. @param {any[]} shapes as `{label, shape}` @param {boolean} [isTight] whether the map shows no more than that */
+  preview(shapes, isTight = false) {
     this.question.clearLayers();
     const points = [];
     for (const one of shapes) {
       this.put(this.question, one.shape, {color: '#ff6f00', weight: 4, fillOpacity: 0.15}, one.label);
       points.push(...Chart.points(one.shape));
     }
-    if (points.length > 0 && !this.map.getBounds().contains(L.latLngBounds(points))) {
+    this.bring(points, isTight);
+  }
+
+  /** @param {any[]} points @param {boolean} isTight */
+  bring(points, isTight) {
+    if (points.length > 0 && (isTight || !this.map.getBounds().contains(L.latLngBounds(points)))) {
       this.map.fitBounds(L.latLngBounds(points).pad(0.3), {maxZoom: 18, animate: false});
     }
+  }
+
+  /** Stresses the boats that a decision shows, and brings those that it asks for into view. @param {import('./link.js').Link} link @param {any | null} decision */
+  stress(link, decision) {
+    this.stressed = new Set(decision?.show?.boats ?? []);
+    const placed = (decision?.view?.boats ?? []).map((/** @type {string} */ id) => link.row('boats', id)).filter((/** @type {any} */ boat) => boat?.lat !== undefined);
+    this.bring(placed.map((/** @type {any} */ boat) => [boat.lat, boat.lon]), decision?.view?.change === 'reduce');
+    this.withPaths = Boolean(decision?.show?.paths);
+    this.drawn = ''; // ways are drawn again
   }
 
   /** @param {any} shape @returns {any[]} */

@@ -1,8 +1,12 @@
 // @ts-check
-// The form of a decision: yes or no, boats, an option, or fields that are typed or drawn on the map.
-import {element} from './dom.js';
+// The form of a decision: yes or no, boats, an option, or fields. It keeps what is half filled in while other lists are looked at.
+import {Drawing} from './drawing.js';
+import {duration, element} from './dom.js';
+import {Fields} from './fields.js';
 
 /** @typedef {import('./link.js').Link} Link @typedef {import('./chart.js').Chart} Chart */
+
+const JUDGE_MS = 400; // after the last change
 
 export class DecisionForm {
   /**
@@ -16,26 +20,64 @@ export class DecisionForm {
     this.link = link;
     this.chart = chart;
     this.page = page;
-    /** @type {Map<string, any[]>} */
-    this.drawn = new Map();
-    /** @type {HTMLElement | null} */
-    this.bar = null;
+    this.drawing = new Drawing(chart, page.resized);
+    /** @type {Fields | null} */
+    this.fields = null;
+    /** @type {(() => any) | null} */
+    this.main = null;
+    /** @type {any[]} */
+    this.chosen = (decision.options ?? []).filter((/** @type {any} */ one) => one.selected);
+    this.judging = 0;
     this.answers = element('div', {class: 'answers'});
     this.faults = element('p', {class: 'fault', role: 'alert'});
+    this.warnings = element('p', {class: 'warning', role: 'status'});
+    this.timer = element('div', {class: 'timer'});
+    this.state = element('div', {class: 'boat-states'});
     const back = element('button', {class: 'back', 'aria-label': 'Back to the list', onclick: () => page.back()}, '‹');
-    this.node = element('section', {class: 'decision'}, element('header', {}, back, element('h2', {}, decision.title)), ...this.words(), this.form(), this.faults, this.answers);
-    chart.preview([
-      ...(decision.shapes ?? []),
-      ...(decision.options ?? []).filter((/** @type {any} */ one) => one.shape && one.selected).map((/** @type {any} */ one) => ({label: '', shape: one.shape})),
-      ...(decision.fields ?? []).filter((/** @type {any} */ one) => one.shape).map((/** @type {any} */ one) => ({label: '', shape: one.shape})),
-    ]);
+    const where = [decision.plan, decision.place].filter(Boolean).join(' · ');
+    const lines = (decision.description ?? []).map((/** @type {string} */ line) => element('p', {}, line));
+    this.node = element('section', {class: 'decision'}, element('header', {}, back, element('h2', {}, decision.title)),
+      element('p', {class: 'where'}, where), ...lines, this.timer, this.state, this.form(), this.warnings, this.faults, this.answers);
+    this.tick();
   }
 
-  words() {
+  /** The row has changed, or time has passed. @param {any} [decision] */
+  tick(decision) {
+    this.decision = decision ?? this.decision;
     const d = this.decision;
-    const where = [d.plan, d.place].filter(Boolean).join(' · ');
-    const lines = (d.description ?? []).map((/** @type {string} */ line) => element('p', {}, line));
-    return [element('p', {class: 'where'}, where), ...lines];
+    const left = d.deadline === undefined ? '' : 'In ' + duration(d.deadline - this.link.now()) + ' it ' + d.autonomy + '.';
+    if (this.timer.dataset.words !== left) {
+      this.timer.dataset.words = left;
+      const stop = d.yours ? element('button', {type: 'button', onclick: () => this.hold()}, 'Stop the timer') : null;
+      this.timer.replaceChildren(...(left === '' ? [] : [element('span', {}, left), ...(stop ? [stop] : [])]));
+    }
+    const state = d.show?.state ? this.link.all('boats').filter((boat) => d.show.boats.includes(boat.id)).map(DecisionForm.stateOf) : [];
+    if (this.state.dataset.words !== state.join('\n')) {
+      this.state.dataset.words = state.join('\n');
+      this.state.replaceChildren(...state.map((line) => element('p', {}, line)));
+    }
+  }
+
+  /** @param {any} boat */
+  static stateOf(boat) {
+    return [boat.id, boat.battery === undefined ? null : Math.round(boat.battery) + ' %', boat.speed === undefined ? null : boat.speed.toFixed(1) + ' m/s', boat.link, boat.why].filter(Boolean).join(' · ');
+  }
+
+  /** Shows on the map what it is about. */
+  show() {
+    const d = this.decision;
+    this.chart.preview([
+      ...(d.shapes ?? []),
+      ...this.chosen.filter((one) => one.shape).map((one) => ({label: '', shape: one.shape})),
+      ...(d.fields ?? []).filter((/** @type {any} */ one) => one.shape).map((/** @type {any} */ one) => ({label: '', shape: one.shape})),
+    ], d.view?.change === 'reduce');
+    this.chart.stress(this.link, d);
+    this.fields?.show();
+  }
+
+  async hold() {
+    const reply = await this.link.ask({t: 'hold', decision: this.decision.id});
+    this.page.say(reply.text || 'The timer is stopped', reply.t === 'refused');
   }
 
   form() {
@@ -53,14 +95,34 @@ export class DecisionForm {
       case 'option':
         return this.options();
       default:
-        this.button('Confirm', () => ({fields: this.fieldValues()}), true);
-        return element('div', {class: 'fields'}, ...d.fields.map((/** @type {any} */ field) => this.field(field)));
+        this.fields = new Fields(d.fields, this.link, this.chart, this.drawing, () => this.changed());
+        this.button('Confirm', () => ({fields: this.fields?.values()}), true);
+        return this.fields.node;
     }
   }
 
   /** @param {string} text @param {() => any} answer @param {boolean} [main] */
   button(text, answer, main = false) {
+    if (main && this.decision.form !== 'yesNo') {
+      this.main = answer;
+    }
     this.answers.append(element('button', {class: main ? 'main' : '', onclick: () => this.give(answer)}, text));
+  }
+
+  /** Asks, a little after the last change, what the session thinks of the answer as it is. */
+  changed() {
+    this.faults.textContent = '';
+    clearTimeout(this.judging);
+    this.judging = window.setTimeout(async () => {
+      let answer;
+      try {
+        answer = this.main?.();
+      } catch {
+        return; // not whole yet
+      }
+      const reply = await this.link.ask({t: 'judge', decision: this.decision.id, answer});
+      this.warnings.textContent = reply.t === 'refused' ? reply.text : (reply.warnings ?? []).join(' ');
+    }, JUDGE_MS);
   }
 
   /** @param {() => any} answer */
@@ -84,7 +146,7 @@ export class DecisionForm {
   boats() {
     const d = this.decision;
     const boxes = d.options.map((/** @type {any} */ one) => {
-      const box = /** @type {HTMLInputElement} */ (element('input', {type: 'checkbox', value: one.value, checked: one.selected}));
+      const box = /** @type {HTMLInputElement} */ (element('input', {type: 'checkbox', value: one.value, checked: one.selected, onchange: () => this.changed()}));
       return {box, node: element('label', {class: 'row'}, box, element('span', {}, one.label), element('small', {}, one.detail))};
     });
     const chosen = () => boxes.filter((one) => one.box.checked).map((one) => one.box.value);
@@ -99,194 +161,71 @@ export class DecisionForm {
     if (d.reject) {
       this.button('None of them', () => ({none: true}));
     }
-    const all = () => boxes.forEach((one) => (one.box.checked = true));
+    const all = () => {
+      boxes.forEach((one) => (one.box.checked = true));
+      this.changed();
+    };
     return element('div', {}, element('button', {onclick: all}, 'All'), ...boxes.map((one) => one.node));
   }
 
   options() {
     const d = this.decision;
-    const name = 'option-' + d.id;
-    const radios = d.options.map((/** @type {any} */ one) => {
-      const show = () => one.shape && this.chart.preview([...(d.shapes ?? []), {label: '', shape: one.shape}]);
-      const radio = /** @type {HTMLInputElement} */ (element('input', {type: 'radio', name, value: one.index, checked: one.selected || d.options.length === 1, onchange: show}));
-      return {radio, node: element('label', {class: 'row'}, radio, element('span', {}, one.label), element('small', {}, one.detail))};
-    });
-    const confirm = () => {
-      const chosen = radios.find((one) => one.radio.checked);
-      if (!chosen) {
+    if (this.chosen.length === 0 && (d.options.length === 1 || d.format !== 'stacked')) {
+      this.chosen = d.options.slice(0, 1);
+    }
+    this.button('Confirm', () => {
+      if (this.chosen.length !== 1) {
         throw new Error('Choose one.');
       }
-      return {option: Number(chosen.radio.value)};
-    };
-    this.button('Confirm', confirm, true);
+      return {option: this.chosen[0].index};
+    }, true);
     if (d.reject) {
       this.button('None of them', () => ({none: true}));
     }
-    return element('div', {}, ...radios.map((one) => one.node));
+    return d.format === 'stacked' || d.options.length === 1 ? this.stacked() : this.oneAtATime();
   }
 
-  // ---- fields
-
-  /** @param {any} field */
-  field(field) {
-    const title = field.key + (field.unit ? ' (' + field.unit + ')' : '');
-    const parts = /** @type {(Node|string)[]} */ ([element('span', {class: 'key'}, title), element('small', {}, field.help ?? '')]);
-    if (!field.editable) {
-      parts.push(element('output', {}, field.shape ? 'on the map' : DecisionForm.text(field.value)));
-      return element('div', {class: 'field'}, ...parts);
-    }
-    parts.push(this.input(field));
-    return element('label', {class: 'field'}, ...parts);
+  /** @param {any} option */
+  choose(option) {
+    this.chosen = [option];
+    this.show();
+    this.changed();
   }
 
-  /** @param {any} value */
-  static text(value) {
-    return value === undefined ? '' : typeof value === 'object' ? JSON.stringify(value) : String(value);
+  stacked() {
+    const name = 'option-' + this.decision.id;
+    return element('div', {}, ...this.decision.options.map((/** @type {any} */ one) =>
+      element('label', {class: 'row'}, element('input', {type: 'radio', name, checked: this.chosen.includes(one), onchange: () => this.choose(one)}),
+        element('span', {}, one.label), element('small', {}, one.detail))));
   }
 
-  /** @param {any} field */
-  input(field) {
-    const now = field.value;
-    if (field.choices) {
-      return this.named(field, element('select', {}, ...field.choices.map((/** @type {string} */ one) => element('option', {value: one, selected: one === now}, one))));
-    }
-    switch (field.type) {
-      case 'boolean':
-        return this.named(field, element('input', {type: 'checkbox', checked: now === true}));
-      case 'integer':
-      case 'real':
-        return this.named(field, element('input', {type: 'number', step: field.type === 'integer' ? 1 : 'any', value: now, inputmode: 'decimal'}));
-      case 'proxy':
-        return this.named(field, element('select', {}, ...this.link.all('boats').map((boat) => element('option', {value: boat.id, selected: boat.id === now}, boat.id))));
-      case 'point':
-      case 'path':
-      case 'area':
-      case 'list<point>':
-        return this.draw(field);
-      default:
-        return this.named(field, element('input', {type: 'text', value: DecisionForm.text(now)}));
-    }
-  }
-
-  /** @param {any} field @param {HTMLElement} input */
-  named(field, input) {
-    input.dataset.key = field.key;
-    return input;
-  }
-
-  /** Points are tapped on the map. @param {any} field */
-  draw(field) {
-    const many = field.type !== 'point';
-    const count = element('output', {}, field.value === undefined ? 'nothing yet' : 'as shown');
-    const points = /** @type {any[]} */ ([]);
-    const bar = element('div', {class: 'bar'});
-    const shown = () => {
-      count.textContent = points.length === 1 ? '1 point' : points.length + ' points';
-      bar.firstChild?.replaceWith(count.textContent);
-      this.drawn.set(field.key, points);
-      this.chart.draft(points.length === 0 ? null : DecisionForm.shape(field.type, points));
+  /** By tabs, or by steps from one to the next. */
+  oneAtATime() {
+    const options = this.decision.options;
+    const body = element('div', {class: 'row'});
+    const head = element('div', {class: 'steps', role: this.decision.format === 'tabs' ? 'tablist' : 'group'});
+    const show = (/** @type {number} */ at) => {
+      const one = options[at];
+      body.replaceChildren(element('strong', {}, one.label), element('small', {}, one.detail));
+      head.replaceChildren(...(this.decision.format === 'tabs'
+        ? options.map((/** @type {any} */ tab, /** @type {number} */ index) => element('button', {type: 'button', role: 'tab', 'aria-selected': String(index === at), onclick: () => go(index)}, String(index + 1)))
+        : [element('button', {type: 'button', disabled: at === 0, 'aria-label': 'The one before', onclick: () => go(at - 1)}, '‹'),
+          element('span', {}, at + 1 + ' of ' + options.length),
+          element('button', {type: 'button', disabled: at === options.length - 1, 'aria-label': 'The next', onclick: () => go(at + 1)}, '›')]));
     };
-    const take = (/** @type {[number, number]} */ point) => {
-      if (!many) {
-        points.length = 0;
-      }
-      points.push(point);
-      shown();
+    const go = (/** @type {number} */ at) => {
+      show(at);
+      this.choose(options[at]);
     };
-    const undo = () => {
-      points.pop();
-      shown();
-    };
-    const done = () => {
-      this.stopDrawing();
-      document.body.classList.add('open');
-      this.page.resized();
-    };
-    bar.append(many ? 'Touch the points, one after another' : 'Touch the place',
-      element('button', {type: 'button', onclick: undo}, 'Undo'), element('button', {type: 'button', class: 'main', onclick: done}, 'Done'));
-    const begin = () => {
-      this.stopDrawing();
-      this.chart.taking = take;
-      this.bar = bar;
-      document.body.append(bar);
-      document.body.classList.add('drawing');
-      document.body.classList.remove('open');
-      this.page.resized();
-    };
-    return element('span', {class: 'draw'}, element('button', {type: 'button', onclick: begin}, 'Draw on the map'), count);
+    show(Math.max(0, options.indexOf(this.chosen[0])));
+    return element('div', {}, head, body);
   }
 
-  /** @param {string} type @param {any[]} points */
-  static shape(type, points) {
-    if (type === 'area' && points.length > 2) {
-      return {area: points};
-    }
-    return type === 'point' ? {point: points[0]} : type === 'list<point>' ? {many: points.map((point) => ({shape: {point}}))} : {path: points};
-  }
-
-  fieldValues() {
-    const values = /** @type {Record<string, any>} */ ({});
-    for (const field of this.decision.fields) {
-      if (field.editable) {
-        const value = this.value(field);
-        if (value !== undefined) {
-          values[field.key] = value;
-        } else if (!field.optional) {
-          throw new Error(field.key + ' is missing.');
-        }
-      }
-    }
-    return values;
-  }
-
-  /** @param {any} field */
-  value(field) {
-    const points = this.drawn.get(field.key)?.map(([lat, lon]) => ({lat, lon}));
-    if (['point', 'path', 'area', 'list<point>'].includes(field.type)) {
-      return points === undefined ? field.value : DecisionForm.drawnValue(field, points);
-    }
-    const input = /** @type {any} */ (this.node.querySelector('[data-key="' + CSS.escape(field.key) + '"]'));
-    if (input.type === 'checkbox') {
-      return input.checked;
-    }
-    if (input.value === '') {
-      return undefined;
-    }
-    if (input.type === 'number') {
-      return Number(input.value);
-    }
-    return typeof field.value === 'object' || field.type.startsWith('list<') ? DecisionForm.parsed(field, input.value) : input.value;
-  }
-
-  /** @param {any} field @param {string} text */
-  static parsed(field, text) {
-    try {
-      return JSON.parse(text);
-    } catch {
-      throw new Error(field.key + ' is not JSON' + (field.value === undefined ? '' : ' such as ' + JSON.stringify(field.value)) + '.');
-    }
-  }
-
-  /** @param {any} field @param {any[]} points */
-  static drawnValue(field, points) {
-    const least = field.type === 'area' ? 3 : field.type === 'path' ? 2 : 1;
-    if (points.length < least) {
-      throw new Error(field.key + ' needs ' + least + (least === 1 ? ' point' : ' points') + ' on the map.');
-    }
-    return field.type === 'point' ? points[0] : field.type === 'area' ? {outline: points, holes: []} : points;
-  }
-
-  stopDrawing() {
-    this.chart.taking = null;
-    this.bar?.remove();
-    this.bar = null;
-    document.body.classList.remove('drawing');
-  }
-
-  /** What it shows on the map goes away. */
+  /** What it shows on the map goes away; what was filled in stays. */
   close() {
-    this.stopDrawing();
+    this.drawing.end();
     this.chart.preview([]);
+    this.chart.stress(this.link, null);
     this.chart.draft(null);
   }
 }

@@ -14,6 +14,8 @@ export class Link {
     this.tables = new Map();
     /** @type {any} */
     this.welcome = null;
+    /** Of boats, by id. @type {Map<string, number>} */
+    this.numbers = new Map();
     this.isOpen = false;
     this.heardAt = 0; // this device's clock
     this.aheadMs = 0; // of the session's clock before this device's
@@ -144,6 +146,19 @@ export class Link {
   all(table) {
     const rows = [...(this.tables.get(table)?.values() ?? [])];
     return rows.sort((one, other) => (one.rank ?? 0) - (other.rank ?? 0) || String(one.id).localeCompare(other.id, 'en', {numeric: true}));
+  }
+
+  /** One row of a table. @param {string} table @param {string} id @returns {any} */
+  row(table, id) {
+    return this.tables.get(table)?.get(id);
+  }
+
+  /** The number of a boat, from 0, in the order in which boats were seen; it keeps it. @param {string} id */
+  numberOf(id) {
+    if (!this.numbers.has(id)) {
+      this.all('boats').forEach((boat) => this.numbers.has(boat.id) || this.numbers.set(boat.id, this.numbers.size));
+    }
+    return this.numbers.get(id) ?? 0;
   }
 
   /** @param {string} right */

@@ -2,6 +2,8 @@
 // The page: who joins, the strip with the fleet stop, the map, and the lists in tabs.
 import {Chart} from './chart.js';
 import {DecisionForm} from './decisions.js';
+import {Driving} from './driving.js';
+import {Drawing} from './drawing.js';
 import {byId, duration, element, hold, isPressed} from './dom.js';
 import {Link} from './link.js';
 import * as panels from './panels.js';
@@ -16,6 +18,10 @@ let tab = 'decisions';
 let selected = null;
 /** @type {DecisionForm | null} */
 let form = null;
+/** Forms of decisions that were opened, so that what is half filled in stays. @type {Map<string, DecisionForm>} */
+const forms = new Map();
+/** @type {Driving | null} */
+let driving = null;
 /** @type {Chart | null} */
 let chart = null;
 let tabbed = ''; // what the tabs were made of
@@ -27,11 +33,13 @@ const actions = {
   /** @param {any} decision */
   open: (decision) => {
     back();
-    form = new DecisionForm(decision, link, /** @type {Chart} */ (chart), {say, back: () => {
+    form = forms.get(decision.id) ?? new DecisionForm(decision, link, /** @type {Chart} */ (chart), {say, back: () => {
       back();
       refresh(true);
     }, resized: () => chart?.resized()});
+    forms.set(decision.id, form);
     document.body.classList.add('open');
+    form.show();
     refresh(true);
   },
   /** @param {any} command */
@@ -45,6 +53,22 @@ const actions = {
     refresh(true);
   },
   selected: () => selected,
+  /** Whether a decision draws attention: nobody here has opened it. @param {any} decision */
+  calls: (decision) => decision.attention !== undefined && !forms.has(decision.id),
+  refresh: () => refresh(true),
+  /** @param {any} boat */
+  byHand: (boat) => driving?.node(boat) ?? null,
+  /** A note at a place that is touched. @param {string} text */
+  noteAt: (text) => {
+    const points = /** @type {any[]} */ ([]);
+    const drawing = new Drawing(/** @type {Chart} */ (chart), () => chart?.resized());
+    drawing.begin({type: 'point', points, changed: () => {}, done: () => {
+      chart?.draft(null);
+      if (points.length > 0) {
+        actions.command({t: 'note', text, lat: points[0][0], lon: points[0][1]});
+      }
+    }});
+  },
 };
 
 /** @param {string} text @param {boolean} isFault */
@@ -75,6 +99,7 @@ function join() {
     document.body.classList.add('open');
     actions.select(boat);
   });
+  driving ??= new Driving(link, chart, {command: actions.command, resized: () => chart?.resized()});
   chart.resized();
   link.join(sessionStorage.getItem('name') ?? '', sessionStorage.getItem('key') ?? '');
 }
@@ -133,19 +158,48 @@ function capital(word) {
   return word.charAt(0).toUpperCase() + word.slice(1);
 }
 
-/** The decision that is shown has gone away. */
-function isOver() {
-  return form !== null && !link.all('decisions').some((one) => one.id === form?.decision.id);
+/** Follows the rows of decisions: forms of those that are gone go too, and who has not been opened draws attention. */
+function followDecisions() {
+  if (!link.isOpen) {
+    return; // they may be there again
+  }
+  for (const [id, one] of forms) {
+    const row = link.row('decisions', id);
+    if (row) {
+      one.tick(row);
+    } else {
+      forms.delete(id);
+      if (one === form) {
+        back();
+      }
+    }
+  }
+  const lit = new Map();
+  for (const one of link.all('decisions').filter(actions.calls)) {
+    const boats = one.attention.target === 'all-proxies' ? link.all('boats').map((boat) => boat.id) : one.attention.target === 'relevant-proxies' ? one.boats : [];
+    boats.forEach((/** @type {string} */ boat) => lit.set(boat, one.attention.type));
+    if (!called.has(one.id)) {
+      called.add(one.id);
+      navigator.vibrate?.(200);
+    }
+  }
+  if (chart) {
+    chart.attention = lit;
+  }
 }
+/** @type {Set<string>} */
+const called = new Set();
 
 function refresh(always = false) {
   if (byId('session').hidden || !chart) {
     return;
   }
   strip();
+  followDecisions();
   chart.show(link, selected);
-  if (isOver()) {
-    back();
+  const chosen = selected === null ? null : link.row('boats', selected);
+  if (chosen && !isPressed()) {
+    driving?.node(chosen); // also while the focus is in the list, which is not made again then
   }
   const isBusy = isPressed() || (byId('panel').contains(document.activeElement) && document.activeElement?.matches('select, input, :focus-visible'));
   tabs();

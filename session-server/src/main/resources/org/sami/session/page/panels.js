@@ -4,12 +4,12 @@ import {Chart} from './chart.js';
 import {duration, element, hold} from './dom.js';
 
 /** @typedef {import('./link.js').Link} Link */
-/** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null}} Actions */
+/** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null, calls: (decision: any) => boolean, byHand: (boat: any) => HTMLElement | null, noteAt: (text: string) => void, refresh: () => void}} Actions */
 
 /** @param {Link} link @param {Actions} actions */
 export function decisions(link, actions) {
   const rows = link.all('decisions').map((one) =>
-    element('button', {class: 'row ' + one.priority, onclick: () => actions.open(one)},
+    element('button', {class: 'row ' + one.priority + (actions.calls(one) ? ' ' + one.attention.type : ''), onclick: () => actions.open(one)},
       element('strong', {}, one.title),
       element('small', {}, [one.plan, one.deadline ? 'in ' + duration(one.deadline - link.now()) + ' it ' + one.autonomy : null, one.yours ? null : 'not yours'].filter(Boolean).join(' · '))));
   return rows.length > 0 ? rows : [element('p', {class: 'hint'}, 'Nothing is to be decided.')];
@@ -17,7 +17,7 @@ export function decisions(link, actions) {
 
 /** @param {Link} link @param {Actions} actions */
 export function boats(link, actions) {
-  return link.all('boats').map((boat) => {
+  return link.all('boats').flatMap((boat) => {
     const mark = element('i', {class: 'mark'});
     mark.style.background = Chart.color(link, boat.id);
     const figures = [
@@ -25,10 +25,13 @@ export function boats(link, actions) {
       boat.speed === undefined ? null : Math.abs(boat.speed).toFixed(1) + ' m/s',
       boat.heard === undefined ? null : 'heard ' + duration(link.now() - boat.heard) + ' ago',
       boat.driver ? 'driven by ' + boat.driver : null,
+      link.row('standings', boat.id)?.status ?? null,
     ].filter(Boolean).join(' · ');
-    const node = element('button', {class: 'row' + (boat.alarm ? ' ' + boat.alarm : '') + (boat.id === actions.selected() ? ' selected' : ''), onclick: () => actions.select(boat.id)},
+    const standing = {severe: ' critical', warning: ' high'}[/** @type {string} */ (link.row('standings', boat.id)?.status)] ?? '';
+    const node = element('button', {class: 'row' + (boat.alarm ? ' ' + boat.alarm : standing) + (boat.id === actions.selected() ? ' selected' : ''), onclick: () => actions.select(boat.id)},
       element('strong', {}, mark, boat.id), element('span', {class: boat.batteryLevel ?? ''}, figures), element('small', {}, boat.why ?? ''));
-    return node;
+    const byHand = boat.id === actions.selected() ? actions.byHand(boat) : null;
+    return byHand ? [node, byHand] : [node];
   });
 }
 
@@ -73,14 +76,52 @@ function interrupt(link, actions, one) {
     element('small', {}, [why ?? one.description, one.final].filter(Boolean).join('. ')));
 }
 
+/** The keyword whose messages are shown; null for all. @type {string | null} */
+let keyword = null;
+/** Always the same, so that a half-typed note stays. @type {HTMLElement | null} */
+let bar = null;
+
 /** @param {Link} link @param {Actions} actions */
 export function messages(link, actions) {
-  const rows = link.all('messages').map((one) =>
+  const all = link.all('messages');
+  const keywords = [...new Set(all.map((one) => one.keyword).filter(Boolean))].sort();
+  if (keyword !== null && !keywords.includes(keyword)) {
+    keyword = null;
+  }
+  const chip = (/** @type {string | null} */ word) => element('button', {'aria-pressed': String(word === keyword), onclick: () => {
+    keyword = word;
+    actions.refresh();
+  }}, word ?? 'All');
+  const chips = keywords.length > 0 ? [element('div', {class: 'chips'}, chip(null), ...keywords.map(chip))] : [];
+  const rows = all.filter((one) => keyword === null || one.keyword === keyword).map((one) =>
     element('div', {class: 'row ' + one.priority + (one.acknowledged ? ' seen' : '')},
       element('span', {}, one.text + (one.count > 1 ? ' (' + one.count + ' times)' : '')),
-      element('small', {}, duration(link.now() - one.at) + ' ago'),
+      element('small', {}, [one.keyword, duration(link.now() - one.at) + ' ago'].filter(Boolean).join(' · ')),
       one.acknowledged || !link.may('answer') ? null : element('button', {onclick: () => actions.command({t: 'acknowledge', message: Number(one.id)})}, 'Seen')));
-  return rows.length > 0 ? rows : [element('p', {class: 'hint'}, 'No messages.')];
+  return [...chips, ...(rows.length > 0 ? rows : [element('p', {class: 'hint'}, 'No messages.')]), ...(link.may('answer') ? [bar ??= noteBar(actions)] : [])];
+}
+
+/** @param {Actions} actions */
+function noteBar(actions) {
+  const note = /** @type {HTMLInputElement} */ (element('input', {id: 'note', maxlength: 500, placeholder: 'Note for the log', 'aria-label': 'Note for the log'}));
+  const taken = () => {
+    const text = note.value.trim();
+    note.value = '';
+    return text;
+  };
+  const send = () => {
+    const text = taken();
+    if (text !== '') {
+      actions.command({t: 'note', text});
+    }
+  };
+  const place = () => {
+    const text = taken();
+    if (text !== '') {
+      actions.noteAt(text);
+    }
+  };
+  return element('div', {class: 'note'}, note, element('button', {onclick: send}, 'Note'), element('button', {onclick: place}, 'At a place…'));
 }
 
 /** @param {Link} link @param {Actions} actions */

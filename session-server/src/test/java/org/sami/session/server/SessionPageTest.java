@@ -3,6 +3,8 @@ package org.sami.session.server;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -11,17 +13,27 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionSetup;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.session.person.PeopleFile;
 import org.sami.session.person.Person;
 import org.sami.session.person.PersonKey;
 import org.sami.session.person.PersonRole;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.value.GeoPoint;
 
 /** The page of a served session in a real browser of a phone's size. */
 @Timeout(900)
 class SessionPageTest {
+    private static final InetSocketAddress ANY_PORT = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+
     @TempDir
     private Path folder;
 
@@ -89,6 +101,74 @@ class SessionPageTest {
         assertThat(browser.value("document.querySelector('#tabs button:nth-child(3)').textContent")
                         .asText())
                 .isEqualTo("Missions1");
+    }
+
+    @Test
+    void halfFilledAnswerStaysWhileAnotherListIsLookedAt() throws Exception {
+        joined();
+        browser.click("#tabs button:nth-child(3)");
+        browser.until("document.querySelector('#plans option[value=station-keep]') !== null");
+        browser.value("document.getElementById('plans').value = 'station-keep'");
+        browser.click("#panel .start button.main");
+        browser.click("#tabs button:nth-child(1)");
+        browser.click("#panel button.row");
+        browser.click(".decision .draw button");
+        double[] middle = browser.middle("#map");
+        browser.press(middle[0], middle[1]);
+        browser.until("document.querySelector('.bar').textContent.startsWith('1 point')");
+        browser.click(".bar button.main");
+
+        browser.click("#tabs button:nth-child(2)");
+        browser.until("document.querySelector('.decision') === null");
+        browser.click("#tabs button:nth-child(1)");
+        browser.click("#panel button.row");
+
+        browser.until("document.querySelector('.decision .draw output').textContent === '1 point'");
+    }
+
+    @Test
+    void noteIsInEverybodysNews() throws Exception {
+        joined();
+        browser.click("#tabs button:nth-child(4)");
+        browser.type("#note", "weed near the pier");
+        browser.click("#panel .note button");
+
+        browser.until("document.getElementById('notice').textContent.includes('anna notes: weed near the pier')");
+    }
+
+    @Test
+    void boatIsDrivenByHandAsLongAsTheStickIsHeld() throws Exception {
+        try (BoatOnTcp boat = new BoatOnTcp(
+                BoatSettings.of("bella", ANY_PORT, GeoPoint.of(45.4, 10.9), 1),
+                new SteadyClock(ProcessClock::ms),
+                TcpServerListener.NONE)) {
+            session.fleet()
+                    .connect(new BoatAddress(
+                            boat.address().getAddress().getHostAddress(),
+                            boat.address().getPort()));
+            joined();
+            browser.click("#tabs button:nth-child(2)");
+            browser.until("document.querySelector('#panel button.row') !== null"
+                    + " && document.querySelector('#panel button.row').textContent.includes('%')");
+            browser.click("#panel button.row");
+            browser.click("#panel .by-hand button");
+            browser.until("document.querySelector('.stick') !== null");
+            double[] stick = browser.middle(".stick");
+
+            browser.mouse("mousePressed", stick[0], stick[1] - 60);
+            Await.until("the boat goes", () -> speedMps() > 0.3);
+            browser.mouse("mouseReleased", stick[0], stick[1] - 60);
+
+            Await.until("the boat has stopped", () -> speedMps() < 0.1);
+            browser.click("#panel .by-hand button.main");
+            browser.until("document.querySelector('.stick') === null");
+        }
+    }
+
+    private double speedMps() {
+        return session.models().fleet().snapshot().stream()
+                .mapToDouble(boat -> boat.speedMps().orElse(0))
+                .sum();
     }
 
     @Test

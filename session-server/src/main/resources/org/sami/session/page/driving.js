@@ -1,0 +1,142 @@
+// @ts-check
+// Driving a boat by hand: a claim, a stick to drag, a place to go to.
+import {Drawing} from './drawing.js';
+import {element} from './dom.js';
+
+/** @typedef {import('./link.js').Link} Link @typedef {import('./chart.js').Chart} Chart */
+
+const EVERY_MS = 150; // the server stops the motors after 400 ms without a word
+
+export class Driving {
+  /** @param {Link} link @param {Chart} chart @param {{command: (command: any) => void, resized: () => void}} page */
+  constructor(link, chart, page) {
+    this.link = link;
+    this.page = page;
+    this.drawing = new Drawing(chart, page.resized);
+    this.chart = chart;
+    /** @type {string | null} */
+    this.boat = null;
+    this.timer = 0;
+    this.thrust = 0;
+    this.rudder = 0;
+    this.root = element('div', {class: 'by-hand'});
+    this.knob = element('i', {class: 'knob'});
+    this.stick = element('div', {class: 'stick', role: 'application', tabindex: 0, 'aria-label': 'Drag up to go ahead, down astern, to the sides to turn; or the arrow keys', onpointerdown: (/** @type {any} */ event) => this.press(event), onkeydown: (/** @type {any} */ event) => this.key(event, true), onkeyup: (/** @type {any} */ event) => this.key(event, false), onblur: () => this.release()}, this.knob);
+    for (const [name, take] of Object.entries({pointermove: (/** @type {any} */ event) => this.move(event), pointerup: () => this.release(), pointercancel: () => this.release()})) {
+      this.stick.addEventListener(name, take);
+    }
+    window.addEventListener('blur', () => this.release());
+    document.addEventListener('visibilitychange', () => document.hidden && this.release());
+    /** @type {Set<string>} */
+    this.keys = new Set();
+  }
+
+  /** What can be done with a boat by hand, always the same element, so that a drag goes on when the list is made again; null where nothing is to be. @param {any} boat */
+  node(boat) {
+    if (!this.link.may('drive') || boat.link === 'unreached') {
+      return null;
+    }
+    const mine = boat.driver === this.link.welcome.name;
+    const words = [boat.id, boat.driver ?? '', mine].join(' ');
+    if (this.root.dataset.words !== words) {
+      this.release();
+      this.boat = mine ? boat.id : null;
+      this.root.dataset.words = words;
+      this.root.replaceChildren(...(mine ? this.controls(boat.id) : [boat.driver
+        ? element('small', {}, boat.driver + ' drives it.')
+        : element('button', {onclick: () => this.page.command({t: 'claim', boat: boat.id})}, 'Take ' + boat.id + ' by hand')]));
+    }
+    return this.root;
+  }
+
+  /** @param {string} boat */
+  controls(boat) {
+    return [this.stick, element('div', {class: 'orders'},
+      element('button', {onclick: () => this.goHere(boat)}, 'Go here…'),
+      element('button', {onclick: () => this.page.command({t: 'holdBoat', boat})}, 'Hold its place'),
+      element('button', {class: 'main', onclick: () => this.page.command({t: 'giveBack', boat})}, 'Give back'))];
+  }
+
+  /** @param {string} boat */
+  goHere(boat) {
+    const points = /** @type {any[]} */ ([]);
+    this.drawing.begin({type: 'point', points, changed: () => {}, done: () => {
+      this.chart.draft(null);
+      if (points.length > 0) {
+        this.page.command({t: 'goTo', boat, lat: points[0][0], lon: points[0][1]});
+      }
+    }});
+  }
+
+  /** @param {PointerEvent} event */
+  press(event) {
+    event.preventDefault();
+    this.stick.setPointerCapture(event.pointerId);
+    this.stick.focus({preventScroll: true});
+    this.move(event);
+    this.begin();
+  }
+
+  /** @param {PointerEvent} event */
+  move(event) {
+    if (!this.stick.hasPointerCapture(event.pointerId)) {
+      return;
+    }
+    const box = this.stick.getBoundingClientRect();
+    const unit = (/** @type {number} */ value) => Math.max(-1, Math.min(1, value));
+    this.set(unit(1 - (2 * (event.clientY - box.top)) / box.height), unit((2 * (event.clientX - box.left)) / box.width - 1));
+  }
+
+  /** @param {KeyboardEvent} event @param {boolean} down */
+  key(event, down) {
+    if (!event.key.startsWith('Arrow')) {
+      return;
+    }
+    event.preventDefault();
+    if (down) {
+      this.keys.add(event.key);
+    } else {
+      this.keys.delete(event.key);
+    }
+    const axis = (/** @type {string} */ plus, /** @type {string} */ minus) => (this.keys.has(plus) ? 0.6 : 0) - (this.keys.has(minus) ? 0.6 : 0);
+    if (this.keys.size === 0) {
+      this.release();
+    } else {
+      this.set(axis('ArrowUp', 'ArrowDown'), axis('ArrowRight', 'ArrowLeft'));
+      this.begin();
+    }
+  }
+
+  /** @param {number} thrust @param {number} rudder */
+  set(thrust, rudder) {
+    this.thrust = Math.round(thrust * 100) / 100;
+    this.rudder = Math.round(rudder * 100) / 100;
+    this.knob.style.left = 50 + 50 * rudder + '%';
+    this.knob.style.top = 50 - 50 * thrust + '%';
+  }
+
+  begin() {
+    if (this.timer === 0) {
+      this.timer = window.setInterval(() => this.send(), EVERY_MS);
+    }
+    this.send();
+  }
+
+  async send() {
+    const reply = this.boat === null ? {t: 'done'} : await this.link.ask({t: 'drive', boat: this.boat, thrust: this.thrust, rudder: this.rudder});
+    if (reply.t === 'refused') {
+      this.release();
+    }
+  }
+
+  /** The hand is off: the motors stop. */
+  release() {
+    this.keys.clear();
+    if (this.timer !== 0) {
+      clearInterval(this.timer);
+      this.timer = 0;
+      this.set(0, 0);
+      this.send();
+    }
+  }
+}

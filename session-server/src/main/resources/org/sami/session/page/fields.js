@@ -1,0 +1,132 @@
+// @ts-check
+// The fields of a question: each is typed, chosen or drawn on the map.
+import {shapeOf} from './drawing.js';
+import {element} from './dom.js';
+
+/** @typedef {import('./link.js').Link} Link @typedef {import('./drawing.js').Drawing} Drawing @typedef {import('./chart.js').Chart} Chart */
+
+const DRAWN = ['point', 'path', 'area', 'list<point>'];
+
+export class Fields {
+  /** @param {any[]} fields @param {Link} link @param {Chart} chart @param {Drawing} drawing @param {() => void} changed */
+  constructor(fields, link, chart, drawing, changed) {
+    this.fields = fields;
+    this.link = link;
+    this.chart = chart;
+    this.drawing = drawing;
+    this.changed = changed;
+    /** @type {Map<string, any[]>} */
+    this.points = new Map();
+    this.node = element('div', {class: 'fields', oninput: changed}, ...fields.map((field) => this.field(field)));
+  }
+
+  /** @param {any} field */
+  field(field) {
+    const title = field.key + (field.unit ? ' (' + field.unit + ')' : '');
+    const parts = [element('span', {class: 'key'}, title), element('small', {}, field.help ?? '')];
+    if (!field.editable) {
+      parts.push(element('output', {}, field.shape ? 'on the map' : Fields.text(field.value)));
+      return element('div', {class: 'field'}, ...parts);
+    }
+    return element('label', {class: 'field'}, ...parts, this.input(field));
+  }
+
+  /** @param {any} value */
+  static text(value) {
+    return value === undefined ? '' : typeof value === 'object' ? JSON.stringify(value) : String(value);
+  }
+
+  /** @param {any} field */
+  input(field) {
+    const now = field.value;
+    const key = {'data-key': field.key};
+    if (field.choices) {
+      return element('select', key, ...field.choices.map((/** @type {string} */ one) => element('option', {value: one, selected: one === now}, one)));
+    }
+    if (DRAWN.includes(field.type)) {
+      return this.draw(field);
+    }
+    switch (field.type) {
+      case 'boolean':
+        return element('input', {...key, type: 'checkbox', checked: now === true});
+      case 'integer':
+      case 'real':
+        return element('input', {...key, type: 'number', step: field.type === 'integer' ? 1 : 'any', value: now, inputmode: 'decimal'});
+      case 'proxy':
+        return element('select', key, ...this.link.all('boats').map((boat) => element('option', {value: boat.id, selected: boat.id === now}, boat.id)));
+      default:
+        return element('input', {...key, type: 'text', value: Fields.text(now)});
+    }
+  }
+
+  /** @param {any} field */
+  draw(field) {
+    const count = element('output', {}, field.value === undefined ? 'nothing yet' : 'as shown');
+    const begin = () => {
+      const points = this.points.get(field.key) ?? [];
+      this.points.set(field.key, points);
+      this.drawing.begin({type: field.type, points, changed: () => {
+        count.textContent = points.length === 1 ? '1 point' : points.length + ' points';
+      }, done: this.changed});
+    };
+    return element('span', {class: 'draw'}, element('button', {type: 'button', onclick: begin}, 'Draw on the map'), count);
+  }
+
+  /** Shows again what was drawn. */
+  show() {
+    const shapes = this.fields.filter((field) => (this.points.get(field.key)?.length ?? 0) > 0)
+        .map((field) => ({shape: shapeOf(field.type, this.points.get(field.key) ?? [])}));
+    this.chart.draft(shapes.length === 0 ? null : {many: shapes});
+  }
+
+  /** The values by key. @throws {Error} with a sentence, where one is missing or cannot be read */
+  values() {
+    const values = /** @type {Record<string, any>} */ ({});
+    for (const field of this.fields.filter((one) => one.editable)) {
+      const value = this.value(field);
+      if (value !== undefined) {
+        values[field.key] = value;
+      } else if (!field.optional) {
+        throw new Error(field.key + ' is missing.');
+      }
+    }
+    return values;
+  }
+
+  /** @param {any} field */
+  value(field) {
+    if (DRAWN.includes(field.type)) {
+      const points = this.points.get(field.key) ?? [];
+      return points.length === 0 ? field.value : Fields.drawnValue(field, points.map(([lat, lon]) => ({lat, lon})));
+    }
+    const input = /** @type {any} */ (this.node.querySelector('[data-key="' + CSS.escape(field.key) + '"]'));
+    if (input.type === 'checkbox') {
+      return input.checked;
+    }
+    if (input.value === '') {
+      return undefined;
+    }
+    if (input.type === 'number') {
+      return Number(input.value);
+    }
+    return typeof field.value === 'object' || field.type.startsWith('list<') ? Fields.parsed(field, input.value) : input.value;
+  }
+
+  /** @param {any} field @param {string} text */
+  static parsed(field, text) {
+    try {
+      return JSON.parse(text);
+    } catch {
+      throw new Error(field.key + ' is not JSON' + (field.value === undefined ? '' : ' such as ' + JSON.stringify(field.value)) + '.');
+    }
+  }
+
+  /** @param {any} field @param {any[]} points */
+  static drawnValue(field, points) {
+    const least = field.type === 'area' ? 3 : field.type === 'path' ? 2 : 1;
+    if (points.length < least) {
+      throw new Error(field.key + ' needs ' + least + (least === 1 ? ' point' : ' points') + ' on the map.');
+    }
+    return field.type === 'point' ? points[0] : field.type === 'area' ? {outline: points, holes: []} : points;
+  }
+}
