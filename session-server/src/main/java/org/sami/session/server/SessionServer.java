@@ -29,6 +29,7 @@ import org.eclipse.jetty.websocket.server.WebSocketUpgradeHandler;
 import org.sami.boat.link.security.Identity;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.session.Session;
+import org.sami.session.map.TileFile;
 import org.sami.session.person.People;
 
 /**
@@ -48,7 +49,8 @@ public final class SessionServer implements AutoCloseable {
     private final Server server;
     private final ServerConnector connector;
 
-    private SessionServer(Session session, People people, ServerAddress address) throws IOException {
+    private SessionServer(Session session, People people, ServerAddress address, Optional<TileFile> map)
+            throws IOException {
         if (!people.needKeys() && !address.host().isLoopbackAddress()) {
             throw new IllegalArgumentException(
                     "without people and keys a session is served on a loopback address only");
@@ -64,7 +66,7 @@ public final class SessionServer implements AutoCloseable {
         connector = connector(server, address);
         server.addConnector(connector);
         WebSocketUpgradeHandler sockets = WebSocketUpgradeHandler.from(server, this::configure);
-        sockets.setHandler(new PageHandler());
+        sockets.setHandler(new TileHandler(map, new PageHandler()));
         server.setHandler(sockets);
     }
 
@@ -75,7 +77,18 @@ public final class SessionServer implements AutoCloseable {
      * @throws IllegalArgumentException if the session would be open to others than this machine without keys
      */
     public static SessionServer start(Session session, People people, ServerAddress address) throws IOException {
-        SessionServer one = new SessionServer(session, people, address);
+        return start(session, people, address, Optional.empty());
+    }
+
+    /**
+     * Serves a session over a background map, which its caller closes after the server.
+     *
+     * @throws IOException if the address is taken
+     * @throws IllegalArgumentException if the session would be open to others than this machine without keys
+     */
+    public static SessionServer start(Session session, People people, ServerAddress address, Optional<TileFile> map)
+            throws IOException {
+        SessionServer one = new SessionServer(session, people, address, map);
         try {
             one.server.start();
         } catch (IOException taken) {

@@ -29,7 +29,23 @@ export class Chart {
     this.attention = new Map();
     /** @type {((point: [number, number]) => void) | null} */
     this.taking = null;
+    this.background();
     this.map.on('click', (/** @type {any} */ event) => this.taking?.([event.latlng.lat, event.latlng.lng]));
+  }
+
+  /** Draws the background map below all else, where the base has one. */
+  async background() {
+    const answer = await fetch('tiles/map.json').catch(() => null);
+    if (answer?.status !== 200) {
+      return;
+    }
+    const about = await answer.json();
+    L.tileLayer('tiles/{z}/{x}/{y}', {minNativeZoom: about.coarsest, maxNativeZoom: about.finest, maxZoom: 22}).addTo(this.map);
+    if (about.attribution) {
+      const words = document.createElement('span');
+      words.textContent = about.attribution;
+      L.control.attribution({prefix: false}).addAttribution(words.innerHTML).addTo(this.map);
+    }
   }
 
   /** Its place in the page has another size. */

@@ -22,6 +22,7 @@ import org.sami.crw.proxy.key.BaseKeys;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
+import org.sami.session.map.TileFile;
 import org.sami.session.person.People;
 import org.sami.session.server.ServerAddress;
 import org.sami.session.server.SessionServer;
@@ -77,6 +78,12 @@ public final class ServeCommand implements Callable<Integer> {
     private int port = 8080;
 
     @Option(
+            names = "--map",
+            paramLabel = "FILE",
+            description = "The page's background map: raster tiles (MBTiles), as the operator's window takes them.")
+    private @Nullable Path map;
+
+    @Option(
             names = "--script",
             paramLabel = "FILE",
             description = "Carry out the commands of this file first, as 'crw session' does.")
@@ -95,7 +102,9 @@ public final class ServeCommand implements Callable<Integer> {
     private int run(Session session, SessionOptions.Begin begin, StopOnInterrupt stop) throws IOException {
         PrintWriter out = spec.commandLine().getOut();
         People who = people.people();
-        try (SessionServer server = UsageFault.of(() -> SessionServer.start(session, who, address()))) {
+        try (OpenedMap background = OpenedMap.of(Optional.ofNullable(map));
+                SessionServer server =
+                        UsageFault.of(() -> SessionServer.start(session, who, address(), background.tiles()))) {
             CountDownLatch broken = new CountDownLatch(1);
             session.addListener(new SessionListener() {
                 @Override
@@ -113,6 +122,24 @@ public final class ServeCommand implements Callable<Integer> {
             boolean stoodStill = session.models().health().snapshot().missionsStandStill();
             session.leave().forEach(line -> print(out, line));
             return stoodStill || session.faults().failure().isPresent() ? ExitCode.FAILED : ExitCode.OK;
+        }
+    }
+
+    /** The map that was named, or none. */
+    private record OpenedMap(Optional<TileFile> tiles) implements AutoCloseable {
+        static OpenedMap of(Optional<Path> file) {
+            try {
+                return new OpenedMap(file.isPresent() ? Optional.of(TileFile.open(file.get())) : Optional.empty());
+            } catch (IOException unfit) {
+                throw new UsageFault("--map: " + unfit.getMessage());
+            }
+        }
+
+        @Override
+        public void close() throws IOException {
+            if (tiles.isPresent()) {
+                tiles.get().close();
+            }
         }
     }
 
