@@ -10,7 +10,7 @@ import org.sami.spn.protocol.Input;
 
 /**
  * Documents of the projects that were loaded during the session, by their SHA-256: an equal document is stored once
- * (docs/decisions 0177). In a file the table is made with the first of them; that of a session that loads nothing has none.
+ * (docs/session.md). In a file the table is made with the first of them; that of a session that loads nothing has none.
  */
 final class ProjectDocuments {
     private static final String TABLE =

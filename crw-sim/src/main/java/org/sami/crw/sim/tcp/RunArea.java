@@ -19,7 +19,7 @@ import org.sami.spn.value.Value;
 
 /**
  * What was found when the boats had answered for the first time; it stays so for the whole run. It is kept in the session's memory
- * in the engine, since a run that has lost it cannot be taken up as it was (docs/decisions/0141).
+ * in the engine, since a run that has lost it cannot be taken up as it was (docs/session.md).
  *
  * @param centre of the area in which the locations lie
  * @param boats their names in the order of their addresses
