@@ -15,7 +15,7 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /**
- * The operating area of a session's boats: inside the fence and outside the no-go areas (docs/decisions/0210). Immutable.
+ * The operating area of a session's boats: inside the fence and outside the no-go areas (docs/operator-models.md). Immutable.
  *
  * @param fence the area to stay in; empty without one
  * @param noGo areas that boats may not enter

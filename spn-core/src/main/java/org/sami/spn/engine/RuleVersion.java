@@ -6,7 +6,7 @@ import java.util.Optional;
 /**
  * Which rules of firing this program follows (docs/semantics.md), as a number that rises whenever the same inputs can lead to other firings.
  * Headers of journals name it: 1, which they do not name, until 26 November 2026; 2 since robots that are gone are struck from answers, returns go
- * together by the tokens that they name and a filter that is left with nobody is given up (docs/decisions 0411, 0412, 0413).
+ * together by the tokens that they name and a filter that is left with nobody is given up (docs/semantics.md).
  */
 public final class RuleVersion {
     /** The version of this program. */

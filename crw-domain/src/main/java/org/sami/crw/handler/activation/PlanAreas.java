@@ -30,7 +30,7 @@ public final class PlanAreas {
 
     private PlanAreas() {}
 
-    /** What is avoided by the activation itself, by its plan, by the plans that run it as a sub-mission, and by the project (0210); each area once. */
+    /** What is avoided by the activation itself, by its plan, by the plans that run it as a sub-mission, and by the project; each area once. */
     public static List<GeoArea> avoided(Activation activation, EngineView view) {
         return avoided(Restrictions.avoid(activation), holes(activation.value(AREA)), activation.mission(), view);
     }

@@ -18,7 +18,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Has boats keep clear of what the plan avoids and in what it names as the area to stay in, on whichever way they are sent
- * (docs/decisions, 0301). Tells the operator where a boat may nevertheless come into it. For the fleet's thread.
+ * (docs/services.md). Tells the operator where a boat may nevertheless come into it. For the fleet's thread.
  */
 public final class ClearWays {
     private final ProxyRegistry boats;

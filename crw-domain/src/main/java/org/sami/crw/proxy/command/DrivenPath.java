@@ -10,7 +10,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * What a boat drives along for a path: its points, and between them those at which it turns to keep clear of what is not to be entered
- * (docs/decisions, 0301). Immutable.
+ * (docs/services.md). Immutable.
  */
 public final class DrivenPath {
     private final List<GeoPoint> points;

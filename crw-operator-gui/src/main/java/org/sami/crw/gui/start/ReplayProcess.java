@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.sami.ui.look.Look;
 
-/** Starts a replay during a session: in a process of its own, so that nothing in it slows the session down (docs/decisions/0250). */
+/** Starts a replay during a session: in a process of its own, so that nothing in it slows the session down (docs/replay.md). */
 public final class ReplayProcess {
     /** The program of the windows, which stands above this package. */
     private static final String PROGRAM = "org.sami.crw.gui.OperatorGui";

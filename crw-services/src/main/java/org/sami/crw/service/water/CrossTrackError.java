@@ -2,7 +2,7 @@ package org.sami.crw.service.water;
 
 /**
  * How far a boat may truly be off the straight line that it follows. Planners derive from it how far paths keep off no-go areas ({@link SafetyMargin};
- * docs/decisions, 0301).
+ * docs/services.md).
  *
  * @param steeringM distance from the line in still water with exact instruments, also at corners, in metres: the least distance of any path from
  *     forbidden areas

@@ -2,7 +2,7 @@ package org.sami.crw.service.water;
 
 /**
  * Distances that plans keep from no-go areas and between waiting boats, so that boats with this cross-track error stay out of the areas and get past each
- * other (docs/decisions, 0301 and 0320).
+ * other (docs/services.md).
  */
 public record SafetyMargin(CrossTrackError error) {
     private static final double POSITION_DEVIATIONS = 3; // exceeded once in some hours

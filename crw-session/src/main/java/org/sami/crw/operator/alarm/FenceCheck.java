@@ -17,7 +17,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Whether boats are, go or are sent where they may not: by position, by the way between two positions, and by each segment of their paths.
- * The water of the session binds every boat; what a mission avoids binds those that carry out its commands (decision 0210). For one
+ * The water of the session binds every boat; what a mission avoids binds those that carry out its commands (docs/operator-models.md). For one
  * thread.
  */
 public final class FenceCheck {

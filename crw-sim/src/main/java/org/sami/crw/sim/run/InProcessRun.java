@@ -28,7 +28,7 @@ import org.sami.spn.host.HostListener;
 
 /**
  * One mission on simulated boats, all in one thread: engine, handlers, links, boats and operator; helper threads tick the boats of large fleets
- * (docs/decisions, 0315). The result is a function of plan and settings; speed and helpers change only how long the run takes. Used once, by one
+ * (docs/threads.md). The result is a function of plan and settings; speed and helpers change only how long the run takes. Used once, by one
  * thread.
  */
 public final class InProcessRun {

@@ -218,7 +218,7 @@ class GivingWayAmongRocksTest {
         assertThat(seconds).isLessThan(400);
     }
 
-    /** Too many for such a gap, of 2.4 to 5 m: some may wait long, but none comes inside (docs/decisions, 0321). */
+    /** Too many for such a gap, of 2.4 to 5 m: some may wait long, but none comes inside (docs/services.md). */
     @ParameterizedTest
     @ValueSource(doubles = {1.2, 1.6, 2, 2.5})
     void threeBoatsInAGapForOneStayOutOfTheRocksAndAlmostAllGetThrough(double halfM) {

@@ -10,7 +10,7 @@ import org.sami.boat.server.vehicle.PlaneMath;
 /**
  * The edges of no-go areas near a boat, on the plane of {@link Surroundings}. A boat away from its line keeps the same distance from them as its line
  * does; where it is closer already, it comes no closer. It also stays where it can return straight to its line. A boat that errors or a current
- * have brought closer moves off ({@link #off}); a boat inside an area only moves towards its edge (docs/decisions, 0321).
+ * have brought closer moves off ({@link #off}); a boat inside an area only moves towards its edge (docs/services.md).
  */
 final class NoGoBorder {
     /** No edge is near. All boats share this instance: it records nothing. */
