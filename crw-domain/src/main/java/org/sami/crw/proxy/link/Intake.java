@@ -24,7 +24,7 @@ import org.sami.boat.link.Welcome;
 
 /**
  * Limits the messages that a base accepts from one boat to several times what a working boat sends, so that a boat that sends too much takes neither
- * time nor journal from the others (decision 0421). Answers to commands are always accepted.
+ * time nor journal from the others (docs/link.md). Answers to commands are always accepted.
  *
  * <p>Of messages about the present state the newest is kept and accepted as soon as there is room, so the last one always gets through. Others are
  * left out. Both are counted. For the proxy's thread.
