@@ -25,7 +25,7 @@ import org.sami.architecture.sample.OpensAModalDialog;
 import org.sami.architecture.sample.ShowsAWindow;
 
 /**
- * Nothing in the operator's window is modal: a modal dialog would take the fleet stop from the pointer (decision 0400). That the rules notice
+ * Nothing in the operator's window is modal: a modal dialog would take the fleet stop from the pointer (docs/windows.md). That the rules notice
  * what they forbid is tried on samples.
  */
 class ModalDialogTest {

@@ -40,7 +40,7 @@ final class DreammPanels {
     /** The same with more than half of the window for what is opened. */
     private static final Arrangement TIGHT = nextToOneStack(0.54);
 
-    /** How they lie at first: the net has most of the window, in small windows and with large letters all of it (decision 0439). */
+    /** How they lie at first: the net has most of the window, in small windows and with large letters all of it (docs/windows.md). */
     static final Arrangements FIRST =
             new Arrangements(ROOMY, COMPACT, TIGHT, new Dimension(1200, 0), new Dimension(720, 420));
 

@@ -19,7 +19,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
 import javax.swing.text.JTextComponent;
 
-/** Whether the hand with the pointer rests: what lies under it then may move (decision 0404). On the event thread. */
+/** Whether the hand with the pointer rests: what lies under it then may move (docs/windows.md). On the event thread. */
 final class PointerRest implements AWTEventListener, AutoCloseable {
     private static final long RETURN_NANOS = 1_000_000_000L;
     private static final long SHRINK_NANOS = 5_000_000_000L; // a pointer that has just stopped may press

@@ -13,7 +13,7 @@ import javax.swing.JSplitPane;
 
 /**
  * The split panes of an area: each keeps its proportion, and sides of a column whose panels are all empty leave their room to the others of that
- * column (decision 0404). On the event thread.
+ * column (docs/windows.md). On the event thread.
  */
 final class SplitProportions {
     private final Map<JSplitPane, PaneKeeper> keepers = new LinkedHashMap<>();

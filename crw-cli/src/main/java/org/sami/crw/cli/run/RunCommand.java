@@ -75,7 +75,7 @@ public final class RunCommand implements Callable<Integer> {
             description = "A plan of the library by its id (see 'crw plans'), or a project's file or folder.")
     private @Nullable String name;
 
-    /** Warns of what a mission does although it was disabled for trying (decision 0434). */
+    /** Warns of what a mission does although it was disabled for trying (docs/file-format.md). */
     private static final String DISABLED = "W-DISABLED";
 
     @Mixin

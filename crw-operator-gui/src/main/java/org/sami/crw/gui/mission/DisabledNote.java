@@ -13,7 +13,7 @@ import org.sami.ui.look.Spacing;
 import org.sami.ui.table.TooltipLines;
 
 /**
- * One line that says, before a mission of a plan starts, that it does what its author has disabled for trying (decision 0434). It is there as long as there
+ * One line that says, before a mission of a plan starts, that it does what its author has disabled for trying (docs/file-format.md). It is there as long as there
  * are such plans, whichever is selected, so that nothing moves.
  */
 final class DisabledNote extends JLabel {

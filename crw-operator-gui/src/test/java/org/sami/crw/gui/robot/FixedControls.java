@@ -13,7 +13,7 @@ import org.sami.ui.dock.DockPanel;
 
 /**
  * Where in a window that lies which must not move: the fleet stop, the row of health, and the side of every panel. Panels above and below
- * one another share their height by what waits in them (decision 0404).
+ * one another share their height by what waits in them (docs/windows.md).
  */
 final class FixedControls {
     private static final String STOP = "fleet-stop";
