@@ -12,7 +12,7 @@ import java.util.Optional;
 
 /**
  * The files of one domain as text, by name: {@code domain.json} first, then those that it lists, in its order, then those of the domains that it
- * combines, as {@code NAME/FILE} (decision 0483). A journal stores them as they are, so that a resumed session uses the words with which it began.
+ * combines, as {@code NAME/FILE} (docs/writing-a-domain.md). A journal stores them as they are, so that a resumed session uses the words with which it began.
  */
 public record VocabularyFiles(Map<String, String> texts) {
     /** The file that names the others. */

@@ -22,7 +22,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Boats that turn critical on their paths, get a new battery, and set out again: who has come back twice without having visited any more is doubted
- * when it is sent the third time (decision 0488). A boat that is then sent all the same goes without coming home until it has visited one point more;
+ * when it is sent the third time (docs/services.md). A boat that is then sent all the same goes without coming home until it has visited one point more;
  * its mission's memory says so, for whoever pulls out boats whose batteries are critical. Counts are not journalled: after a restart of the base they
  * begin again. For the fleet's thread.
  */
