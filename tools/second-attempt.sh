@@ -1,6 +1,6 @@
 #!/bin/bash
 # Runs failed tests of real time a second time, by themselves, after everything else: a machine that stands still for a minute fails a few of them.
-# Only tests of these tasks, and at most five of them; what fails in another task, or fails twice, has failed (decision 0490).
+# Only tests of these tasks, and at most five of them; what fails in another task, or fails twice, has failed (CONTRIBUTING.md).
 # Usage: tools/second-attempt.sh [FOLDER]   (the project's root unless given), after `./gradlew test`
 # Exit code 0 if all of them passed now; build/test-summary.txt then counts them as passed and names them. Otherwise it stays as it was.
 set -u
