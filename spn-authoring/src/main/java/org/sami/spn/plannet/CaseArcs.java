@@ -29,6 +29,13 @@ final class CaseArcs {
         emptied.addAll(other.emptied);
     }
 
+    /** Takes over what another one changes, not what it asks for. */
+    void joinChanges(CaseArcs other) {
+        other.minus.forEach(this::remove);
+        other.plus.forEach(this::add);
+        emptied.addAll(other.emptied);
+    }
+
     /** The place has so many tokens or more. */
     void atLeast(int place, int tokens) {
         if (tokens > 0) {

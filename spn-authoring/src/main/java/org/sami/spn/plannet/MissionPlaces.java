@@ -28,7 +28,8 @@ final class MissionPlaces {
     /** A place that counts some tokens of a plan's place. */
     record Counter(int place, Predicate<PlanToken> counts) {}
 
-    MissionPlaces(PetriNetBuilder net, Plan plan, List<PlanToken> team, PossibleTokens possible) {
+    /** @param robots how many robots there are */
+    MissionPlaces(PetriNetBuilder net, Plan plan, List<PlanToken> team, PossibleTokens possible, int robots) {
         this.net = net;
         running = add("running", "the mission runs", 1, PlanNetPlace.Role.CONTROL, "", "");
         for (Place place : plan.places()) {
@@ -41,7 +42,7 @@ final class MissionPlaces {
                             add(
                                     place.id() + "." + token.label(),
                                     title(place) + ": " + token.label(),
-                                    atStart ? 1 : 0,
+                                    !atStart ? 0 : token.equals(PlanToken.ROBOTS) ? robots : 1,
                                     PlanNetPlace.Role.TOKEN,
                                     place.id(),
                                     token.label()));

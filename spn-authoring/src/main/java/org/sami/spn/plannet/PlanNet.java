@@ -2,11 +2,13 @@ package org.sami.spn.plannet;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.sami.petri.graph.FiringSequence;
+import org.sami.petri.net.FiringRule;
 import org.sami.petri.net.PetriNet;
 
 /**
@@ -17,12 +19,16 @@ import org.sami.petri.net.PetriNet;
  * <p>Source: thesis, section 4.1; the rules of docs/semantics.md.
  */
 public final class PlanNet {
+    /** The token of robots that are counted. */
+    public static final String ROBOTS = PlanToken.ROBOTS.label();
+
     private final PlanNetRequest request;
     private final PetriNet net;
     private final List<PlanNetPlace> places;
     private final List<PlanNetFiring> firings;
     private final List<Abstraction> abstractions;
     private final int beyond;
+    private final Optional<CountedParts> counted;
 
     PlanNet(
             PlanNetRequest request,
@@ -30,13 +36,15 @@ public final class PlanNet {
             List<PlanNetPlace> places,
             List<PlanNetFiring> firings,
             List<Abstraction> abstractions,
-            int beyond) {
+            int beyond,
+            Optional<CountedParts> counted) {
         this.request = request;
         this.net = net;
         this.places = List.copyOf(places);
         this.firings = List.copyOf(firings);
         this.abstractions = List.copyOf(abstractions);
         this.beyond = beyond;
+        this.counted = counted;
     }
 
     /**
@@ -46,7 +54,31 @@ public final class PlanNet {
      * @throws IllegalArgumentException if there is no such plan, or it has no start place
      */
     public static PlanNet of(PlanNetRequest request) throws PlanNetTooLargeException {
-        return new PlanTranslation(request).translate();
+        return new PlanTranslation(request, false).translate();
+    }
+
+    /**
+     * The net of a plan in which robots are counted and not named: far smaller with many robots, and with the same graph up to an exchange of robots.
+     *
+     * @return empty where there are fewer than two robots, or there can be several copies of one
+     * @throws PlanNetTooLargeException if it would have more transitions than asked for
+     * @throws IllegalArgumentException if there is no such plan, or it has no start place
+     */
+    public static Optional<PlanNet> counted(PlanNetRequest request) throws PlanNetTooLargeException {
+        PlanTranslation translation = new PlanTranslation(request, true);
+        return request.robots().size() < 2 || translation.copiesRobots()
+                ? Optional.empty()
+                : Optional.of(translation.translate());
+    }
+
+    /** Whether robots are counted and not named. */
+    public boolean isCounted() {
+        return counted.isPresent();
+    }
+
+    /** Whether the token that a place of the net stands for is a robot, or stands for robots. */
+    public boolean isRobot(String token) {
+        return isCounted() ? token.equals(ROBOTS) : request.robots().contains(token);
     }
 
     /** The net with its initial marking. */
@@ -79,9 +111,19 @@ public final class PlanNet {
         return beyond;
     }
 
-    /** A run of the net as firings of the plan. */
-    public List<PlanNetFiring> firings(FiringSequence run) {
-        return run.transitions().stream().map(firings::get).toList();
+    /** A run of the net as firings of the plan, with the markings before and after each; robots have names, whether the net counts them or not. */
+    public PlanRun run(FiringSequence run) {
+        return counted.isPresent() ? new NamedRobots(this, counted.get()).run(run) : named(run);
+    }
+
+    private PlanRun named(FiringSequence run) {
+        int[] at = net.initialMarking();
+        List<PlanMarking> markings = new ArrayList<>(List.of(marking(at)));
+        for (int transition : run.transitions()) {
+            at = FiringRule.fire(net, transition, at);
+            markings.add(marking(at));
+        }
+        return new PlanRun(run.transitions().stream().map(firings::get).toList(), markings);
     }
 
     /** A marking of the net in the words of the plan. */

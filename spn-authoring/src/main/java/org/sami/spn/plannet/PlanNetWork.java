@@ -19,6 +19,7 @@ final class PlanNetWork {
     private final MissionPlaces places;
     private final int beyond;
     private final List<PlanNetFiring> firings = new ArrayList<>();
+    private final List<List<TokenOption>> counted = new ArrayList<>();
     private final Map<String, Integer> ids = new HashMap<>();
 
     PlanNetWork(PlanNetRequest request, Plan plan, List<PlanToken> team) {
@@ -27,7 +28,8 @@ final class PlanNetWork {
         this.team = team;
         possible = new PossibleTokens(request.project(), request.vocabulary(), plan, team);
         net = new PetriNetBuilder(plan.title());
-        places = new MissionPlaces(net, plan, team, possible);
+        places = new MissionPlaces(
+                net, plan, team, possible, request.robots().size());
         beyond = places.control("beyond", "more tokens at once than the net follows", 0);
     }
 
@@ -60,8 +62,23 @@ final class PlanNetWork {
         return firings;
     }
 
-    /** Adds a transition of the net. */
-    void putFiring(String title, PlanNetFiring firing, CaseArcs arcs, int number) throws PlanNetTooLargeException {
+    /** For each transition of the net what becomes of the robots that are counted. */
+    List<List<TokenOption>> counted() {
+        return counted;
+    }
+
+    /** How many tokens of the mission one of the team stands for. */
+    int count(PlanToken token) {
+        return token.equals(PlanToken.ROBOTS) ? request.robots().size() : 1;
+    }
+
+    /**
+     * Adds a transition of the net.
+     *
+     * @param robots what becomes of the robots that are counted
+     */
+    void putFiring(String title, PlanNetFiring firing, List<TokenOption> robots, CaseArcs arcs, int number)
+            throws PlanNetTooLargeException {
         if (firings.size() >= request.mostTransitions()) {
             throw new PlanNetTooLargeException("with " + request.robots().size() + " robots the net of \""
                     + plan.title()
@@ -74,6 +91,7 @@ final class PlanNetWork {
         int transition = net.transition(same == 1 ? id : id + "~" + same, title + name);
         arcs.put(net, transition);
         firings.add(firing);
+        counted.add(robots);
     }
 
     PetriNet build() {

@@ -12,6 +12,9 @@ import org.sami.spn.flow.TokenType;
 record PlanToken(TokenType type, String name, String taskClass, boolean isMade) {
     static final PlanToken GENERIC = new PlanToken(TokenType.GENERIC, "generic", "", false);
 
+    /** Any robot, where they are counted and not named. */
+    static final PlanToken ROBOTS = new PlanToken(TokenType.PROXY, "robots", "", false);
+
     static PlanToken robot(String name) {
         return new PlanToken(TokenType.PROXY, name, "", false);
     }

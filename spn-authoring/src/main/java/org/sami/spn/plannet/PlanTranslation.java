@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Transition;
@@ -12,12 +14,15 @@ import org.sami.spn.vocabulary.EventRole;
 /** Makes the net of a plan. For one use. */
 final class PlanTranslation {
     private final PlanNetRequest request;
+    private final boolean isCounted;
     private final Plan plan;
     private final PlanNetWork work;
     private final AbstractionList abstractions = new AbstractionList();
 
-    PlanTranslation(PlanNetRequest request) {
+    /** @param isCounted whether robots are counted and not named */
+    PlanTranslation(PlanNetRequest request, boolean isCounted) {
         this.request = request;
+        this.isCounted = isCounted;
         plan = request.project()
                 .plan(request.plan())
                 .orElseThrow(() -> new IllegalArgumentException("there is no plan \"" + request.plan() + "\""));
@@ -30,7 +35,11 @@ final class PlanTranslation {
     private List<PlanToken> team() {
         List<PlanToken> team = new ArrayList<>();
         team.add(PlanToken.GENERIC);
-        request.robots().forEach(robot -> team.add(PlanToken.robot(robot)));
+        if (isCounted) {
+            team.add(PlanToken.ROBOTS);
+        } else {
+            request.robots().forEach(robot -> team.add(PlanToken.robot(robot)));
+        }
         plan.tasks().forEach(task -> team.add(PlanToken.task(task.name(), task.taskClass())));
         if (makesTasks()) {
             for (int i = 1; i <= request.madeTasks(); i++) {
@@ -54,6 +63,12 @@ final class PlanTranslation {
                         .isPresent());
     }
 
+    /** Whether there can be several of one robot: then its places are not where it stands but where it is at least once. */
+    boolean copiesRobots() {
+        return work.team().stream()
+                .anyMatch(token -> token.type() == TokenType.PROXY && work.possible().isCopied(token));
+    }
+
     PlanNet translate() throws PlanNetTooLargeException {
         InConditions conditions = new InConditions(work.places(), work.possible(), abstractions);
         Map<Transition, List<CaseArcs>> of = new LinkedHashMap<>();
@@ -71,6 +86,12 @@ final class PlanTranslation {
         }
         new AbstractionsOfPlan(work, abstractions).list();
         return new PlanNet(
-                request, work.build(), work.places().all(), work.firings(), abstractions.all(), work.beyond());
+                request,
+                work.build(),
+                work.places().all(),
+                work.firings(),
+                abstractions.all(),
+                work.beyond(),
+                isCounted ? Optional.of(new CountedParts(work.counted(), work.possible(), plan)) : Optional.empty());
     }
 }

@@ -15,6 +15,8 @@ final class TokenOption {
     final List<String> present;
     /** Whether it is known where it stands. */
     final boolean isKnown;
+    /** Whether nothing is supposed of it, and nothing is done with it. */
+    final boolean isAnywhere;
     /** The level at which requirements with numbers select it, by group; 0 where they do not. */
     final Map<String, Integer> levels = new TreeMap<>();
 
@@ -28,10 +30,26 @@ final class TokenOption {
     final Set<String> left = new TreeSet<>();
 
     TokenOption(PlanToken token, boolean isNamed, List<String> present, boolean isKnown) {
+        this(token, isNamed, present, isKnown, false);
+    }
+
+    private TokenOption(
+            PlanToken token, boolean isNamed, List<String> present, boolean isKnown, boolean isAnywhere) {
         this.token = token;
         this.isNamed = isNamed;
         this.present = present;
         this.isKnown = isKnown;
+        this.isAnywhere = isAnywhere;
+    }
+
+    /** Not named, wherever it stands. */
+    static TokenOption anywhere(PlanToken token, boolean isKnown) {
+        return new TokenOption(token, false, List.of(), isKnown, true);
+    }
+
+    /** In none of the in places, as far as these tell. */
+    boolean isAbsent() {
+        return !isAnywhere && present.isEmpty();
     }
 
     /** The same suppositions; effects are to be filled in. */

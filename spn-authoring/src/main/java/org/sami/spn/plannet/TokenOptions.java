@@ -82,7 +82,7 @@ final class TokenOptions {
                 .anyMatch(s -> s.isOf(TokenKind.SUB_MISSION_TOKENS) && possible.covers(s.requirement(), t, token));
         boolean mustReport = !isNamed && spots.stream().anyMatch(watched::contains);
         if (!isNamed && !byAll && !mustReport) {
-            TokenOption anywhere = new TokenOption(token, false, List.of(), !byNumber);
+            TokenOption anywhere = TokenOption.anywhere(token, !byNumber);
             selections.numbers().keySet().stream()
                     .filter(group -> isCovered(anywhere, group))
                     .forEach(group -> anywhere.levels.put(group, 0));

@@ -1,6 +1,7 @@
 package org.sami.spn.plannet;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -101,16 +102,21 @@ final class TransitionCases {
         List<List<TokenOption>> perToken = new ArrayList<>();
         for (PlanToken token : work.team()) {
             if (token.type() != TokenType.GENERIC) {
-                perToken.add(options.of(token));
+                perToken.addAll(Collections.nCopies(work.count(token), options.of(token)));
             }
         }
         List<GenericOption> generics =
                 new GenericOptions(work.places(), work.possible(), t, selections, work.beyond()).all();
-        choose(perToken, 0, new ArrayList<>(), generics);
+        choose(perToken, 0, 0, new ArrayList<>(), generics);
     }
 
+    /** Robots that are counted are all alike: their options are taken in one order only, from a number on. */
     private void choose(
-            List<List<TokenOption>> perToken, int next, List<TokenOption> chosen, List<GenericOption> generics)
+            List<List<TokenOption>> perToken,
+            int next,
+            int from,
+            List<TokenOption> chosen,
+            List<GenericOption> generics)
             throws PlanNetTooLargeException {
         if (next == perToken.size()) {
             if (isMet(chosen)) {
@@ -120,9 +126,11 @@ final class TransitionCases {
             }
             return;
         }
-        for (TokenOption option : perToken.get(next)) {
-            chosen.add(option);
-            choose(perToken, next + 1, chosen, generics);
+        List<TokenOption> options = perToken.get(next);
+        boolean isNextAlike = next + 1 < perToken.size() && perToken.get(next + 1) == options;
+        for (int i = from; i < options.size(); i++) {
+            chosen.add(options.get(i));
+            choose(perToken, next + 1, isNextAlike ? i : 0, chosen, generics);
             chosen.remove(chosen.size() - 1);
         }
     }
@@ -150,13 +158,22 @@ final class TransitionCases {
         if (!TokenOptions.fits(selections.numbers(), chosen, generic.picked, generic.more, isLoose)) {
             return;
         }
+        List<TokenOption> robots =
+                chosen.stream().filter(o -> o.token.equals(PlanToken.ROBOTS)).toList();
+        Optional<CaseArcs> ofRobots = new CountedRobots(work.places(), work.possible(), t).arcs(robots);
+        if (ofRobots.isEmpty()) {
+            return; // another case does the same and supposes less
+        }
         CaseArcs arcs = generic.arcs.copy();
+        arcs.join(ofRobots.get());
         List<PlanNetMove> moves = new ArrayList<>(generic.moves);
         Set<Integer> entered = new LinkedHashSet<>(generic.edges);
         Set<String> left = new LinkedHashSet<>(generic.left);
         List<String> named = new ArrayList<>();
         for (TokenOption option : chosen) {
-            arcs.join(option.arcs);
+            if (!option.token.equals(PlanToken.ROBOTS)) {
+                arcs.join(option.arcs);
+            }
             moves.addAll(option.moves);
             entered.addAll(option.edges);
             left.addAll(option.removed);
@@ -180,7 +197,7 @@ final class TransitionCases {
             for (CaseArcs awake : wakened(ready)) {
                 CaseArcs whole = awake.copy();
                 around(whole, entered, left, ends);
-                put(whole, named, moves, ends);
+                put(whole, new PlanNetFiring(t.id(), named, moves, ends), robots);
             }
         }
     }
@@ -275,12 +292,12 @@ final class TransitionCases {
                 .forEach(edge -> work.places().occasion(edge.transition()).ifPresent(arcs::set));
     }
 
-    private void put(CaseArcs arcs, List<String> named, List<PlanNetMove> moves, boolean ends)
+    private void put(CaseArcs arcs, PlanNetFiring firing, List<TokenOption> robots)
             throws PlanNetTooLargeException {
         if (arcs.isImpossible() || !known.add(arcs.key())) {
             return;
         }
-        work.putFiring(title(), new PlanNetFiring(t.id(), named, moves, ends), arcs, ++made);
+        work.putFiring(title(), firing, robots, arcs, ++made);
     }
 
     private String title() {

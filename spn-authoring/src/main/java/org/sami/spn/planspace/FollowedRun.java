@@ -99,13 +99,13 @@ record FollowedRun(List<Integer> marking, List<Integer> left, int more, boolean 
         return new FollowedRun(listed(to), rest, others, isThere || goal.test(to));
     }
 
-    /** The engine's tokens as the net counts them: of a named token only that it is there. */
+    /** The engine's tokens as the net counts them: of a token with a name of its own only that it is there. */
     private static SortedMap<String, SortedMap<String, Integer>> seen(
             PlanNet net, FollowedMarking engine, long mission) {
         SortedMap<String, SortedMap<String, Integer>> seen = new TreeMap<>();
         engine.marking(mission)
                 .forEach((place, tokens) -> tokens.forEach(token -> {
-                    boolean isNamed = !(token instanceof Token.Generic);
+                    boolean isNamed = !(token instanceof Token.Generic || (net.isCounted() && token instanceof Token.Proxy));
                     seen.computeIfAbsent(place, p -> new TreeMap<>())
                             .merge(label(net, token, mission), 1, isNamed ? Math::max : Integer::sum);
                 }));
@@ -115,7 +115,9 @@ record FollowedRun(List<Integer> marking, List<Integer> left, int more, boolean 
     /** A token that the net does not know has a label that fits none of its tokens. */
     private static String label(PlanNet net, Token token, long mission) {
         if (token instanceof Token.Proxy robot) {
-            return net.request().robots().contains(robot.proxy()) ? robot.proxy() : "?";
+            return !net.request().robots().contains(robot.proxy())
+                    ? "?"
+                    : net.isCounted() ? PlanNet.ROBOTS : robot.proxy();
         }
         return token instanceof Token.Task task
                 ? task.task().mission() == mission ? "#" + task.task().name() : "?"

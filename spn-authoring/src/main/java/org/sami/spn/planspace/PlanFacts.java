@@ -69,6 +69,6 @@ public record PlanFacts(List<String> neverFired, Map<String, Integer> mostRobots
     }
 
     private static boolean isOfRobots(PlanNet net, PlanNetPlace place) {
-        return place.role() == Role.TOKEN && net.request().robots().contains(place.token());
+        return place.role() == Role.TOKEN && net.isRobot(place.token());
     }
 }

@@ -48,11 +48,14 @@ public final class PlanNetNames implements NetNames {
     private Optional<List<Integer>> part(String place, String of) {
         List<String> robots = net.request().robots();
         return switch (of) {
-            case "robots" -> Optional.of(tokens(place, robots::contains));
+            case "robots" -> Optional.of(tokens(place, net::isRobot));
             case GENERIC -> Optional.of(tokens(place, GENERIC::equals));
             case "tasks" -> Optional.of(tokens(place, token -> token.startsWith("#")));
             case "nobody" -> Optional.of(netPlaces(place, Role.NOBODY, token -> true));
             default -> {
+                if (net.isCounted() && robots.contains(of)) {
+                    yield Optional.empty(); // robots have no names here
+                }
                 boolean isKnown = robots.contains(of)
                         || plan.tasks().stream().map(TaskSpec::name).anyMatch(of::equals)
                         || !tokens(place, ("#" + of)::equals).isEmpty();

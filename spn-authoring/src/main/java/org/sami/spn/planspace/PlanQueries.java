@@ -1,6 +1,5 @@
 package org.sami.spn.planspace;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -10,7 +9,6 @@ import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.MarkingTest;
 import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.graph.SearchBudget;
-import org.sami.petri.net.FiringRule;
 import org.sami.petri.query.NetQuery;
 import org.sami.petri.query.QueryAnswer;
 import org.sami.petri.query.QueryAnswer.NetVerdict;
@@ -25,6 +23,7 @@ import org.sami.spn.plannet.Abstraction;
 import org.sami.spn.plannet.PlanMarking;
 import org.sami.spn.plannet.PlanNet;
 import org.sami.spn.plannet.PlanNetFiring;
+import org.sami.spn.plannet.PlanRun;
 
 /**
  * Answers the queries of a plan by searches of its net, by symmetry where a query names no robot, and takes the runs that it finds on the engine. For one thread.
@@ -173,8 +172,9 @@ public final class PlanQueries {
 
     private PlanWitness witness(FiringSequence run, PlanQuery query, MarkingTest goal) {
         Optional<TestCase> steps = engine.steps(run, goal, query.name());
-        List<PlanNetFiring> firings = net.firings(run);
-        List<PlanMarking> markings = markings(run);
+        PlanRun named = net.run(run);
+        List<PlanNetFiring> firings = named.firings();
+        List<PlanMarking> markings = named.markings();
         PlanStateWords words = new PlanStateWords(net);
         return new PlanWitness(
                 firings,
@@ -193,15 +193,5 @@ public final class PlanQueries {
         }
         int[] end = run.replay(net.net());
         return marking -> Arrays.equals(marking, end);
-    }
-
-    private List<PlanMarking> markings(FiringSequence run) {
-        int[] marking = net.net().initialMarking();
-        List<PlanMarking> markings = new ArrayList<>(List.of(net.marking(marking)));
-        for (int transition : run.transitions()) {
-            marking = FiringRule.fire(net.net(), transition, marking);
-            markings.add(net.marking(marking));
-        }
-        return markings;
     }
 }

@@ -152,7 +152,7 @@ class PlanNetTest {
                         .withGoal(marking -> marking[plan.net().place("c.B").getAsInt()] > 0
                                 && marking[plan.net().place("a.A").getAsInt()] > 0));
 
-        assertThat(plan.firings(graph.runTo(graph.found().getAsInt())))
+        assertThat(plan.run(graph.runTo(graph.found().getAsInt())).firings())
                 .extracting(PlanNetFiring::words)
                 .containsExactly("t(B): B a → c");
     }

@@ -1,0 +1,32 @@
+package org.sami.spn.plannet;
+
+import java.util.List;
+import org.sami.spn.model.Place;
+import org.sami.spn.model.Plan;
+
+/**
+ * What is known of robots that a net counts, so that a run of it can name them. Immutable.
+ *
+ * @param options for each transition of the net what it supposes of each robot and does with it
+ */
+record CountedParts(List<List<TokenOption>> options, PossibleTokens possible, Plan plan) {
+    CountedParts {
+        options = List.copyOf(options);
+    }
+
+    /** Where all robots stand at first; empty text where they stand nowhere. */
+    String start() {
+        return plan.startPlace()
+                .map(Place::id)
+                .filter(place -> possible.comes(place, PlanToken.ROBOTS))
+                .orElse("");
+    }
+
+    /** The in places of a transition in which no robot stands that is said to be in none of them. */
+    List<String> watchedBy(String transition) {
+        return plan.transition(transition).stream()
+                .flatMap(t -> possible.spots(t, PlanToken.ROBOTS).stream())
+                .filter(place -> !possible.hasSub(place))
+                .toList();
+    }
+}

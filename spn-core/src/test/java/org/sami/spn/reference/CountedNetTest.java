@@ -1,0 +1,132 @@
+package org.sami.spn.reference;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.sami.petri.graph.ReachabilityGraph;
+import org.sami.petri.graph.ReachabilitySearch;
+import org.sami.petri.graph.SearchBudget;
+import org.sami.petri.graph.SearchSettings;
+import org.sami.petri.net.FiringRule;
+import org.sami.spn.model.Project;
+import org.sami.spn.plannet.PlanMarking;
+import org.sami.spn.plannet.PlanNet;
+import org.sami.spn.plannet.PlanNetRequest;
+import org.sami.spn.plannet.PlanNetTooLargeException;
+import org.sami.spn.plannet.PlanRun;
+import org.sami.spn.testing.TestVocabulary;
+
+/** A net that counts robots reaches the markings of the one that names them, up to an exchange of robots, and names them in a run as that one would. */
+class CountedNetTest {
+    private static final long SEEDS = 500;
+    private static final List<String> ROBOTS = List.of("A", "B", "C");
+    private static final int MOST_TRANSITIONS = 400;
+    private static final SearchBudget SMALL = new SearchBudget(3_000, 256L << 20, Duration.ofMinutes(15));
+
+    /** What was compared of a seed's plan. */
+    private record Compared(long seed, int states, String difference) {}
+
+    @Test
+    void countedAndNamedRobotsReachTheSame() {
+        List<Compared> compared = LongStream.rangeClosed(1, SEEDS)
+                .parallel()
+                .boxed()
+                .flatMap(seed -> Stream.of(RandomPlans.project(seed), NewsPlans.project(seed))
+                        .flatMap(project -> compare(seed, project).stream()))
+                .toList();
+
+        assertThat(compared.stream().filter(each -> !each.difference().isEmpty()))
+                .isEmpty();
+        assertThat(compared).hasSizeGreaterThan((int) SEEDS / 4);
+        assertThat(compared.stream().filter(each -> each.states() > 5).count()).isGreaterThan(SEEDS / 20);
+    }
+
+    private static Optional<Compared> compare(long seed, Project project) {
+        PlanNetRequest request =
+                new PlanNetRequest(project, TestVocabulary.TEST, "main", ROBOTS, 2, MOST_TRANSITIONS);
+        try {
+            Optional<PlanNet> counted = PlanNet.counted(request);
+            if (counted.isEmpty()) {
+                return Optional.empty();
+            }
+            PlanNet named = PlanNet.of(request);
+            ReachabilityGraph few = search(counted.get());
+            ReachabilityGraph many = search(named);
+            return few.isComplete() && many.isComplete()
+                    ? Optional.of(new Compared(seed, few.states(), difference(counted.get(), few, named, many)))
+                    : Optional.empty();
+        } catch (PlanNetTooLargeException e) {
+            return Optional.empty();
+        }
+    }
+
+    private static ReachabilityGraph search(PlanNet net) {
+        return ReachabilitySearch.explore(net.net(), SearchSettings.within(SMALL));
+    }
+
+    private static String difference(PlanNet counted, ReachabilityGraph few, PlanNet named, ReachabilityGraph many) {
+        Set<String> less = markings(counted, few);
+        Set<String> more = markings(named, many);
+        if (!less.equals(more)) {
+            Set<String> onlyNamed = new TreeSet<>(more);
+            onlyNamed.removeAll(less);
+            less.removeAll(more);
+            return "only counted " + less + ", only named " + onlyNamed;
+        }
+        int last = few.states() - 1;
+        PlanRun run = counted.run(few.runTo(last));
+        return markings(counted, few.marking(last)).equals(merged(counted, run.markings().get(run.markings().size() - 1)))
+                ? replayed(named, run)
+                : "the run to the last state ends elsewhere: " + run;
+    }
+
+    /** Takes the firings with names on the net that names robots. */
+    private static String replayed(PlanNet named, PlanRun run) {
+        int[] at = named.net().initialMarking();
+        for (int i = 0; i < run.firings().size(); i++) {
+            int[] from = at;
+            String transition = run.firings().get(i).transition();
+            String goal = run.markings().get(i + 1).toString();
+            Optional<int[]> next = IntStream.range(0, named.net().transitionCount())
+                    .filter(t -> named.firing(t).transition().equals(transition))
+                    .filter(t -> FiringRule.isEnabled(named.net(), t, from))
+                    .mapToObj(t -> FiringRule.fire(named.net(), t, from))
+                    .filter(to -> named.marking(to).toString().equals(goal))
+                    .findFirst();
+            if (next.isEmpty()) {
+                return "the net with names does not fire " + run.firings().get(i) + " to " + goal;
+            }
+            at = next.get();
+        }
+        return "";
+    }
+
+    private static Set<String> markings(PlanNet net, ReachabilityGraph graph) {
+        return IntStream.range(0, graph.states())
+                .mapToObj(state -> markings(net, graph.marking(state)))
+                .collect(TreeSet::new, Set::add, Set::addAll);
+    }
+
+    private static String markings(PlanNet net, int[] marking) {
+        return merged(net, net.marking(marking));
+    }
+
+    private static String merged(PlanNet net, PlanMarking marking) {
+        SortedMap<String, SortedMap<String, Integer>> merged = new TreeMap<>();
+        marking.tokens()
+                .forEach((place, here) -> here.forEach((token, count) -> merged.computeIfAbsent(
+                                place, p -> new TreeMap<>())
+                        .merge(net.isRobot(token) || ROBOTS.contains(token) ? "robots" : token, count, Integer::sum)));
+        return merged + " " + marking.nobody() + " " + marking.running();
+    }
+}
