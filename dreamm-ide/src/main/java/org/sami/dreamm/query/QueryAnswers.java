@@ -118,7 +118,7 @@ public final class QueryAnswers {
         SearchBudget budget =
                 new SearchBudget(SearchBudget.MOST_STATES, Runtime.getRuntime().maxMemory() / PART_OF_MEMORY, LONGEST);
         try {
-            PlanQueries net = new PlanQueries(PlanNet.of(request), budget, watch(stop));
+            PlanQueries net = new PlanQueries(PlanNet.smallest(request), budget, watch(stop));
             for (PlanQuery query : queries) {
                 if (stop.get()) {
                     return;

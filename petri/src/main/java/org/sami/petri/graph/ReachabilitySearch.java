@@ -3,6 +3,7 @@ package org.sami.petri.graph;
 import java.util.BitSet;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.IntPredicate;
 import java.util.function.LongSupplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -33,6 +34,7 @@ public final class ReachabilitySearch {
     private final StateSpace space;
     private final IntChunks parents = new IntChunks();
     private final @Nullable StateEdges edges;
+    private final IntPredicate keepsEdge;
     private final IntChunks deadlocks = new IntChunks();
     private final BitSet fired;
     private final int[] mostTokens;
@@ -58,7 +60,8 @@ public final class ReachabilitySearch {
         goal = settings.goal().orElse(null);
         symmetry = settings.symmetry().orElse(null);
         space = new StateSpace(net);
-        edges = settings.keepsEdges() ? new StateEdges() : null;
+        edges = settings.edges().isPresent() ? new StateEdges() : null;
+        keepsEdge = settings.edges().orElse(transition -> false);
         fired = new BitSet(net.transitionCount());
         mostTokens = new int[net.placeCount()];
         marking = new int[net.placeCount()];
@@ -167,7 +170,7 @@ public final class ReachabilitySearch {
             }
             fired.set(enabled[i]);
             edgeCount++;
-            if (edges != null) {
+            if (edges != null && keepsEdge.test(enabled[i])) {
                 edges.add(target);
             }
         }

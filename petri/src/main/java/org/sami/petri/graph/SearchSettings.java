@@ -1,11 +1,12 @@
 package org.sami.petri.graph;
 
 import java.util.Optional;
+import java.util.function.IntPredicate;
 
 /** What a search looks for, what it keeps and what it leaves out. Immutable; each {@code with} method returns a changed copy. */
 public final class SearchSettings {
     private final SearchBudget budget;
-    private final boolean edges;
+    private final Optional<IntPredicate> edges;
     private final boolean reduced;
     private final boolean stopsAtDeadlock;
     private final Optional<MarkingTest> goal;
@@ -13,7 +14,7 @@ public final class SearchSettings {
 
     private SearchSettings(
             SearchBudget budget,
-            boolean edges,
+            Optional<IntPredicate> edges,
             boolean reduced,
             boolean stopsAtDeadlock,
             Optional<MarkingTest> goal,
@@ -28,12 +29,17 @@ public final class SearchSettings {
 
     /** The whole graph, without its edges. */
     public static SearchSettings within(SearchBudget budget) {
-        return new SearchSettings(budget, false, false, false, Optional.empty(), Optional.empty());
+        return new SearchSettings(budget, Optional.empty(), false, false, Optional.empty(), Optional.empty());
     }
 
     /** Keeps the edges, at four bytes each. */
     public SearchSettings withEdges() {
-        return new SearchSettings(budget, true, reduced, stopsAtDeadlock, goal, symmetry);
+        return withEdgesOf(transition -> true);
+    }
+
+    /** Keeps the edges of some transitions. */
+    public SearchSettings withEdgesOf(IntPredicate transitions) {
+        return new SearchSettings(budget, Optional.of(transitions), reduced, stopsAtDeadlock, goal, symmetry);
     }
 
     /** Ends at the first marking that fulfils a condition: no other is nearer to the initial marking. */
@@ -60,7 +66,8 @@ public final class SearchSettings {
         return budget;
     }
 
-    boolean keepsEdges() {
+    /** Of which transitions edges are kept; empty where none are. */
+    Optional<IntPredicate> edges() {
         return edges;
     }
 

@@ -56,6 +56,15 @@ public final class QueryRunner {
         return graph != null ? graph : search(settings(true).withEdges(), isSymmetric(true));
     }
 
+    /**
+     * Answers later queries from a graph of the net, by symmetry where the net has any.
+     *
+     * @param graph with its edges; complete, or as far as the budget went
+     */
+    public void know(ReachabilityGraph graph) {
+        known.put(isSymmetric(true), graph);
+    }
+
     /** Answers a query about the net. */
     public QueryAnswer answer(NetQuery query) {
         if (query instanceof NetQuery.Reachable reachable) {

@@ -71,7 +71,7 @@ final class MissionPlaces {
                                 1,
                                 PlanNetPlace.Role.CONTROL,
                                 "",
-                                ""));
+                                token.label()));
             }
         }
     }

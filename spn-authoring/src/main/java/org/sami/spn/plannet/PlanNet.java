@@ -1,12 +1,15 @@
 package org.sami.spn.plannet;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.sami.petri.graph.FiringSequence;
 import org.sami.petri.net.FiringRule;
 import org.sami.petri.net.PetriNet;
@@ -71,6 +74,17 @@ public final class PlanNet {
                 : Optional.of(translation.translate());
     }
 
+    /**
+     * The net of a plan in which robots are counted where that can be, else named.
+     *
+     * @throws PlanNetTooLargeException if it would have more transitions than asked for
+     * @throws IllegalArgumentException if there is no such plan, or it has no start place
+     */
+    public static PlanNet smallest(PlanNetRequest request) throws PlanNetTooLargeException {
+        Optional<PlanNet> counted = counted(request);
+        return counted.isPresent() ? counted.get() : of(request);
+    }
+
     /** Whether robots are counted and not named. */
     public boolean isCounted() {
         return counted.isPresent();
@@ -84,6 +98,39 @@ public final class PlanNet {
     /** The net with its initial marking. */
     public PetriNet net() {
         return net;
+    }
+
+    /** Ways to exchange two robots, or two tasks that are made, next to each other: for each the place that each place is exchanged for. */
+    public List<int[]> exchanges() {
+        List<int[]> exchanges = new ArrayList<>();
+        List<String> robots = isCounted() ? List.of() : request.robots();
+        for (int i = 0; i + 1 < robots.size(); i++) {
+            exchanges.add(exchange(robots.get(i), robots.get(i + 1)));
+        }
+        for (int i = 1; i < request.madeTasks(); i++) {
+            exchanges.add(exchange(
+                    PlanToken.madeTask(i, "").label(),
+                    PlanToken.madeTask(i + 1, "").label()));
+        }
+        return exchanges;
+    }
+
+    private int[] exchange(String one, String other) {
+        int[] image = IntStream.range(0, places.size()).toArray();
+        Map<String, Integer> ofOther = new HashMap<>();
+        for (int i = 0; i < image.length; i++) {
+            if (places.get(i).token().equals(other)) {
+                ofOther.put(places.get(i).planPlace(), i);
+            }
+        }
+        for (int i = 0; i < image.length; i++) {
+            Integer target = ofOther.get(places.get(i).planPlace());
+            if (places.get(i).token().equals(one) && target != null) {
+                image[i] = target;
+                image[target] = i;
+            }
+        }
+        return image;
     }
 
     /** What was translated. */

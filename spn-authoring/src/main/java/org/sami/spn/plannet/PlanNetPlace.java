@@ -6,7 +6,7 @@ import java.util.Objects;
  * What a place of the net stands for.
  *
  * @param planPlace id of the plan's place; empty with {@link Role#CONTROL}
- * @param token a robot's name, {@code generic} or a task's name behind {@code #}; empty with other roles than {@link Role#TOKEN}
+ * @param token a robot's name, {@code generic} or a task's name behind {@code #}; empty where the place speaks of no single token
  */
 public record PlanNetPlace(Role role, String planPlace, String token) {
     /** What its tokens mean. */

@@ -4,6 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.sami.petri.coverability.SaturatedQueries;
+import org.sami.petri.coverability.SaturatedSearch;
 import org.sami.petri.graph.FiringSequence;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.MarkingTest;
@@ -23,6 +25,7 @@ import org.sami.spn.plannet.Abstraction;
 import org.sami.spn.plannet.PlanMarking;
 import org.sami.spn.plannet.PlanNet;
 import org.sami.spn.plannet.PlanNetFiring;
+import org.sami.spn.plannet.PlanNetTooLargeException;
 import org.sami.spn.plannet.PlanRun;
 
 /**
@@ -32,13 +35,25 @@ public final class PlanQueries {
     /** So many steps of the engine are tried for one run: some seconds at most. */
     private static final int MOST_STEPS = 20_000;
 
+    /** A net with more transitions is large. */
+    private static final int LARGE = 1_000;
+
+    /** So many states are looked at before a query is searched for alone. */
+    private static final int FIRST_STATES = 50_000;
+
     private final PlanNet net;
     private final PlanNetNames names;
     private final QueryRunner runner;
     private final RunOnEngine engine;
+    private final NetSymmetry symmetry;
+    private final SearchBudget budget;
+    private final GraphWatch watch;
+    private Optional<SaturatedQueries> saturated = Optional.empty();
+    private Optional<PlanQueries> named = Optional.empty();
+    private int looked;
 
     /**
-     * Queries about a plan's net.
+     * Queries about a plan's net. Where it counts robots, queries that name one are asked of the net that names them.
      *
      * @param budget of each search
      */
@@ -47,9 +62,19 @@ public final class PlanQueries {
         names = new PlanNetNames(net);
         // without stubborn sets: each end takes the place "running", which every transition needs, so none is
         // independent of all others
-        QueryMeans means = new QueryMeans(false, Optional.of(NetSymmetry.of(net.net())));
+        symmetry = symmetry(net);
+        QueryMeans means = new QueryMeans(false, Optional.of(symmetry));
         runner = new QueryRunner(net.net(), budget, means, watch, System::nanoTime);
+        this.budget = budget;
+        this.watch = watch;
         engine = new RunOnEngine(net, MOST_STEPS, watch::isCancelled);
+    }
+
+    /** In a large net the exchanges that are known are all that is looked for. */
+    private static NetSymmetry symmetry(PlanNet net) {
+        return net.net().transitionCount() > LARGE
+                ? NetSymmetry.of(net.net(), net.exchanges())
+                : NetSymmetry.of(net.net());
     }
 
     /** What is wrong with the text of a query; empty where it means something. */
@@ -58,24 +83,74 @@ public final class PlanQueries {
             QueryParser.query(net.net(), names, text);
             return Optional.empty();
         } catch (QueryFaultException fault) {
-            return Optional.of(fault.words());
+            try {
+                return net.isCounted() ? byName().fault(text) : Optional.of(fault.words());
+            } catch (PlanNetTooLargeException tooLarge) {
+                return Optional.of(fault.words());
+            }
         }
     }
 
-    /** All states up to an exchange of robots, as far as the budget goes. Later queries are answered from them. */
-    public ReachabilityGraph whole() {
-        return runner.whole();
+    /** Queries about the net in which robots have names. */
+    private PlanQueries byName() throws PlanNetTooLargeException {
+        if (named.isEmpty()) {
+            named = Optional.of(new PlanQueries(PlanNet.of(net.request()), budget, watch));
+        }
+        return named.get();
+    }
+
+    /** All states up to an exchange of robots, as far as the budget goes; later queries are answered from them. Where tokens gather, up to how many there are. */
+    public PlanFacts whole() {
+        look(budget.states());
+        return saturated
+                .map(few -> PlanFacts.of(net, few))
+                .orElseGet(() -> PlanFacts.of(net, runner.whole()));
+    }
+
+    /** One search for all queries, as far as so many states. */
+    private void look(int states) {
+        if (looked >= states || saturated.isPresent()) {
+            return;
+        }
+        boolean isAll = states >= budget.states();
+        looked = states;
+        SaturatedSearch search = new SaturatedSearch(
+                net.net(),
+                new SearchBudget(states, budget.bytes(), budget.time()),
+                symmetry,
+                watch,
+                System::nanoTime);
+        ReachabilityGraph graph = search.exact();
+        if (graph.found().isPresent()) {
+            saturated = search.saturated(graph);
+        } else if (isAll || graph.isComplete()) {
+            looked = budget.states();
+            runner.know(graph);
+        }
     }
 
     /** Answers one query. */
     public PlanQueryAnswer answer(PlanQuery query) {
-        NetQuery asked;
         try {
-            asked = QueryParser.query(net.net(), names, query.text());
+            return answer(query, QueryParser.query(net.net(), names, query.text()));
         } catch (QueryFaultException fault) {
-            return PlanQueryAnswer.without(query, PlanQueryAnswer.Result.FAULT, fault.words());
+            return net.isCounted()
+                    ? answerByName(query)
+                    : PlanQueryAnswer.without(query, PlanQueryAnswer.Result.FAULT, fault.words());
         }
-        QueryAnswer found = runner.answer(asked);
+    }
+
+    private PlanQueryAnswer answerByName(PlanQuery query) {
+        try {
+            return byName().answer(query);
+        } catch (PlanNetTooLargeException tooLarge) {
+            return PlanQueryAnswer.without(query, PlanQueryAnswer.Result.OPEN, "unknown: " + tooLarge.getMessage());
+        }
+    }
+
+    private PlanQueryAnswer answer(PlanQuery query, NetQuery asked) {
+        look(Math.min(FIRST_STATES, budget.states()));
+        QueryAnswer found = saturated.flatMap(few -> few.answer(asked)).orElseGet(() -> runner.answer(asked));
         boolean happens = isThatItHappens(asked, found);
         boolean isAProof = found.verdict() != NetVerdict.UNKNOWN && (happens || isWhole(found));
         Optional<PlanWitness> witness = found.witness().map(run -> witness(run, query, goal(asked, run)));

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.sami.petri.graph.GraphWatch;
-import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
@@ -42,7 +41,7 @@ final class AnalysedPlans {
      */
     record Found(
             PlanNet net,
-            ReachabilityGraph graph,
+            PlanFacts facts,
             PlanQueryAnswer stops,
             PlanQueryAnswer ends,
             List<PlanQueryAnswer> saved,
@@ -59,7 +58,7 @@ final class AnalysedPlans {
                 IntStream.rangeClosed(1, boats).mapToObj(i -> "robot-" + i).toList();
         long begin = System.nanoTime();
         try {
-            PlanNet net = PlanNet.of(new PlanNetRequest(project, library.vocabulary(), plan.id(), robots));
+            PlanNet net = PlanNet.smallest(new PlanNetRequest(project, library.vocabulary(), plan.id(), robots));
             Found found = found(net, plan);
             return new Row(plan, boats, Optional.of(found), "", System.nanoTime() - begin);
         } catch (PlanNetTooLargeException tooLarge) {
@@ -70,16 +69,14 @@ final class AnalysedPlans {
 
     private Found found(PlanNet net, Plan plan) {
         PlanQueries queries = new PlanQueries(net, budget, watch);
-        ReachabilityGraph graph = queries.whole();
+        PlanFacts facts = queries.whole();
         PlanStateWords words = new PlanStateWords(net);
         return new Found(
                 net,
-                graph,
+                facts,
                 queries.answer(STOPS),
                 queries.answer(ENDS),
                 plan.queries().stream().map(queries::answer).toList(),
-                PlanFacts.of(net, graph).neverFired().stream()
-                        .map(words::transition)
-                        .toList());
+                facts.neverFired().stream().map(words::transition).toList());
     }
 }

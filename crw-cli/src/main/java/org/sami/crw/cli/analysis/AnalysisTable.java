@@ -41,7 +41,7 @@ final class AnalysisTable {
     }
 
     private String cells(AnalysedPlans.Row row, AnalysedPlans.Found found) {
-        isOpen |= !found.graph().isComplete();
+        isOpen |= !found.facts().graph().isComplete();
         List<PlanQueryAnswer> all = new ArrayList<>(List.of(found.stops(), found.ends()));
         all.addAll(found.saved());
         for (PlanQueryAnswer answer : all) {
@@ -55,8 +55,10 @@ final class AnalysisTable {
                 .formatted(
                         found.net().net().placeCount(),
                         found.net().net().transitionCount(),
-                        found.graph().states(),
-                        found.graph().isComplete() ? "" : " and more",
+                        found.facts().graph().states(),
+                        !found.facts().graph().isComplete()
+                                ? " and more"
+                                : found.facts().gathering().isEmpty() ? "" : "*",
                         word(found.stops()),
                         word(found.ends()),
                         saved(found.saved()),

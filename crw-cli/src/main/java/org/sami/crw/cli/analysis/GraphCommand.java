@@ -172,6 +172,7 @@ public final class GraphCommand implements Callable<Integer> {
                         domain,
                         planOption.name(),
                         boats,
+                        true,
                         spec.commandLine().getErr())
                 .map(DrawnNet::of);
     }

@@ -17,9 +17,9 @@ import org.sami.spn.planspace.PlanQueryAnswer.Result;
  * What {@code crw analyse} has found about a plan.
  *
  * @param kind where its queries come from
- * @param graph all states, up to an exchange of boats; empty where queries were given
+ * @param facts what holds of all states, up to an exchange of boats; empty where queries were given
  */
-record PlanAnalysis(PlanArgument plan, Kind kind, Optional<ReachabilityGraph> graph, List<PlanQueryAnswer> answers) {
+record PlanAnalysis(PlanArgument plan, Kind kind, Optional<PlanFacts> facts, List<PlanQueryAnswer> answers) {
     /** What every plan is asked that has no queries of its own. */
     private static final List<String> USUAL = List.of("deadlock", "home ended");
 
@@ -54,13 +54,13 @@ record PlanAnalysis(PlanArgument plan, Kind kind, Optional<ReachabilityGraph> gr
                         .stream()
                                 .map(text -> new PlanQuery(text, text, PlanQuery.Expected.YES))
                                 .toList();
-        Optional<ReachabilityGraph> graph = kind == Kind.GIVEN ? Optional.empty() : Optional.of(queries.whole());
+        Optional<PlanFacts> facts = kind == Kind.GIVEN ? Optional.empty() : Optional.of(queries.whole());
         return new PlanAnalysis(
-                plan, kind, graph, asked.stream().map(queries::answer).toList());
+                plan, kind, facts, asked.stream().map(queries::answer).toList());
     }
 
-    Optional<PlanFacts> facts() {
-        return graph.map(found -> PlanFacts.of(plan.net(), found));
+    Optional<ReachabilityGraph> graph() {
+        return facts.map(PlanFacts::graph);
     }
 
     /** Whether it is certain that a rule is broken, or a saved query has another answer than its author expects; or one means nothing. */
@@ -78,7 +78,7 @@ record PlanAnalysis(PlanArgument plan, Kind kind, Optional<ReachabilityGraph> gr
 
     /** Whether the budget ended a search before all was known, or the net does not follow all that the plan does. */
     boolean isOpen() {
-        return graph.filter(found -> !found.isComplete()).isPresent()
+        return graph().filter(found -> !found.isComplete()).isPresent()
                 || answers.stream()
                         .anyMatch(answer -> answer.verdict() == NetVerdict.UNKNOWN && answer.result() != Result.FAULT);
     }

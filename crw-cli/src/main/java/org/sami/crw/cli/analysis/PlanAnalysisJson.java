@@ -22,7 +22,8 @@ final class PlanAnalysisJson {
                 .put("plan", analysis.plan().plan().id())
                 .put("boats", analysis.plan().net().request().robots().size())
                 .put("places", net.placeCount())
-                .put("transitions", net.transitionCount());
+                .put("transitions", net.transitionCount())
+                .put("boatsCounted", analysis.plan().net().isCounted());
         ArrayNode open = object.putArray("abstractions");
         analysis.plan()
                 .net()
@@ -33,6 +34,8 @@ final class PlanAnalysisJson {
                         .put("text", a.text()));
         analysis.graph().ifPresent(graph -> putGraph(object, graph));
         analysis.facts().ifPresent(facts -> {
+            ArrayNode gathering = object.putArray("notCounted");
+            facts.gathering().forEach(gathering::add);
             ArrayNode never = object.putArray("neverFired");
             facts.neverFired().forEach(never::add);
             ObjectNode most = object.putObject("mostBoats");

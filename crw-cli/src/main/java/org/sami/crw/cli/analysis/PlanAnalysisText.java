@@ -28,17 +28,18 @@ final class PlanAnalysisText {
 
     void print() {
         out.printf(
-                "%s: a net of %d places and %d transitions%n",
+                "%s: a net of %d places and %d transitions%s%n",
                 analysis.plan().title(),
                 analysis.plan().net().net().placeCount(),
-                analysis.plan().net().net().transitionCount());
+                analysis.plan().net().net().transitionCount(),
+                analysis.plan().net().isCounted() ? ", in which boats are counted" : "");
         List<Abstraction> open = analysis.plan().net().abstractions();
         list(open, Abstraction.Kind.WIDER, "it can do more than the plan, as it leaves open:");
         list(open, Abstraction.Kind.PARTIAL, "it follows only a part of the plan:");
         if (open.isEmpty()) {
             out.println("it does exactly what the plan does");
         }
-        analysis.graph().ifPresent(this::printGraph);
+        analysis.facts().ifPresent(this::printGraph);
         analysis.answers().forEach(this::print);
         if (!analysis.mayBe().isEmpty()) {
             out.println("not certain, as the net can do more than the plan: "
@@ -60,11 +61,16 @@ final class PlanAnalysisText {
         }
     }
 
-    private void printGraph(ReachabilityGraph graph) {
+    private void printGraph(PlanFacts facts) {
+        ReachabilityGraph graph = facts.graph();
+        String gathering = facts.gathering().stream().map(words::place).collect(Collectors.joining(", "));
         out.println(
-                graph.isComplete()
-                        ? "every state was looked at"
-                        : "bounded search only: " + graph.end().words());
+                !graph.isComplete()
+                        ? "bounded search only: " + graph.end().words()
+                        : "every state was looked at"
+                                + (gathering.isEmpty()
+                                        ? ""
+                                        : "; tokens gather, and are not counted, in " + gathering));
         SearchSpeed speed = SearchSpeed.of(graph);
         out.printf(
                 Locale.ROOT,
@@ -74,7 +80,7 @@ final class PlanAnalysisText {
                 speed.seconds(),
                 speed.statesPerSecond(),
                 speed.bytesPerState());
-        analysis.facts().ifPresent(facts -> print(facts, graph.isComplete()));
+        print(facts, graph.isComplete());
     }
 
     private void print(PlanFacts facts, boolean isWhole) {

@@ -43,7 +43,7 @@ final class SavedQueries {
         SearchBudget budget =
                 new SearchBudget(SearchBudget.MOST_STATES, Runtime.getRuntime().maxMemory() / 2, time);
         try {
-            PlanNet net = PlanNet.of(new PlanNetRequest(project, vocabulary, plan.id(), robots));
+            PlanNet net = PlanNet.smallest(new PlanNetRequest(project, vocabulary, plan.id(), robots));
             PlanQueries queries = new PlanQueries(net, budget, watch(plan, progress, isStopped));
             plan.queries().forEach(query -> answers.add(new Answered(plan, queries.answer(query))));
         } catch (PlanNetTooLargeException tooLarge) {

@@ -1,0 +1,123 @@
+package org.sami.petri.coverability;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.sami.petri.graph.HomeStates;
+import org.sami.petri.graph.MarkingTest;
+import org.sami.petri.graph.ReachabilityGraph;
+import org.sami.petri.query.LinearComparison;
+import org.sami.petri.query.MarkingCondition;
+import org.sami.petri.query.NetQuery;
+import org.sami.petri.query.QueryAnswer;
+import org.sami.petri.query.QueryAnswer.NetVerdict;
+
+/**
+ * Answers queries about a net, which may have infinitely many markings, from the whole graph of its {@link SaturatedNet}: that something never happens, that from
+ * everywhere there is a way to some markings, and bounds from above. For one thread.
+ */
+public final class SaturatedQueries {
+    private final SaturatedNet saturated;
+    private final ReachabilityGraph graph;
+
+    /**
+     * Answers from a graph.
+     *
+     * @param graph complete, with the edges of sure firings
+     */
+    public SaturatedQueries(SaturatedNet saturated, ReachabilityGraph graph) {
+        this.saturated = saturated;
+        this.graph = graph;
+    }
+
+    /** What was searched. */
+    public ReachabilityGraph graph() {
+        return graph;
+    }
+
+    /** The net whose graph it is. */
+    public SaturatedNet net() {
+        return saturated;
+    }
+
+    /** The answer; empty where the graph does not tell. */
+    public Optional<QueryAnswer> answer(NetQuery query) {
+        if (query instanceof NetQuery.Reachable reachable) {
+            return never(reachable.condition(), NetVerdict.NO, "such a marking");
+        } else if (query instanceof NetQuery.Invariant invariant) {
+            return never(
+                    new MarkingCondition.Not(invariant.condition()), NetVerdict.YES, "a marking that breaks it");
+        } else if (query instanceof NetQuery.Deadlock deadlock) {
+            return speaks(deadlock.end())
+                    ? Optional.empty()
+                    : deadlocks(deadlock.end())
+                            ? Optional.empty()
+                            : Optional.of(answer(NetVerdict.NO, "a deadlock is never reached"));
+        } else if (query instanceof NetQuery.Home home) {
+            return speaks(home.condition())
+                            || HomeStates.of(graph, home.condition())
+                                    .firstWithout()
+                                    .isPresent()
+                    ? Optional.empty()
+                    : Optional.of(answer(
+                            NetVerdict.YES,
+                            "from each of the " + graph.states() + " states such a marking can be reached"));
+        } else if (query instanceof NetQuery.Bound bound) {
+            return saturated.places().get(bound.place())
+                    ? Optional.empty()
+                    : Optional.of(answer(
+                            NetVerdict.YES,
+                            "place " + graph.net().placeId(bound.place()) + " has at most "
+                                    + graph.mostTokens(bound.place()) + " tokens"));
+        }
+        return query instanceof NetQuery.BoundOfSum bound ? bound(bound) : Optional.empty();
+    }
+
+    private QueryAnswer answer(NetVerdict verdict, String words) {
+        String where = saturated.places().stream()
+                .mapToObj(graph.net()::placeId)
+                .collect(Collectors.joining(", "));
+        return new QueryAnswer(
+                verdict, words + ", however many tokens are in " + where, Optional.empty(), graph);
+    }
+
+    private Optional<QueryAnswer> never(MarkingCondition condition, NetVerdict verdict, String what) {
+        return speaks(condition) || graph.first(condition).isPresent()
+                ? Optional.empty()
+                : Optional.of(answer(verdict, what + " is never reached"));
+    }
+
+    private boolean deadlocks(MarkingTest end) {
+        return graph.deadlocks().stream().map(graph::marking).anyMatch(marking -> !end.test(marking));
+    }
+
+    private Optional<QueryAnswer> bound(NetQuery.BoundOfSum bound) {
+        if (bound.terms().stream().anyMatch(term -> saturated.places().get(term.place()))) {
+            return Optional.empty();
+        }
+        long most = Long.MIN_VALUE;
+        for (int state = 0; state < graph.states(); state++) {
+            most = Math.max(most, bound.of(graph.marking(state)));
+        }
+        return Optional.of(answer(NetVerdict.YES, bound.text() + " is at most " + most));
+    }
+
+    /** Whether a condition speaks of a place of which the graph says only whether it has tokens, or of what a transition needs. */
+    private boolean speaks(MarkingCondition condition) {
+        if (condition instanceof MarkingCondition.All all) {
+            return speaks(all.parts());
+        } else if (condition instanceof MarkingCondition.Any any) {
+            return speaks(any.parts());
+        } else if (condition instanceof MarkingCondition.Not not) {
+            return speaks(not.part());
+        } else if (condition instanceof LinearComparison comparison) {
+            return comparison.terms().stream()
+                    .anyMatch(term -> saturated.places().get(term.place()));
+        }
+        return true;
+    }
+
+    private boolean speaks(List<MarkingCondition> parts) {
+        return parts.stream().anyMatch(this::speaks);
+    }
+}

@@ -1,0 +1,77 @@
+package org.sami.petri.coverability;
+
+import java.util.BitSet;
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import org.sami.petri.graph.GraphWatch;
+import org.sami.petri.graph.ReachabilityGraph;
+import org.sami.petri.graph.ReachabilitySearch;
+import org.sami.petri.graph.SearchBudget;
+import org.sami.petri.graph.SearchSettings;
+import org.sami.petri.net.PetriNet;
+import org.sami.petri.symmetry.NetSymmetry;
+
+/**
+ * Searches a net until tokens gather in places that can be saturated, then saturates these and searches again: first exactly, then up to how many tokens are there. For
+ * one thread.
+ */
+public final class SaturatedSearch {
+    /** A place gathers tokens where it has so many: no arc tells that from one. */
+    private static final int GATHERED = 3;
+
+    private final PetriNet net;
+    private final SearchBudget budget;
+    private final NetSymmetry symmetry;
+    private final GraphWatch watch;
+    private final LongSupplier nanos;
+
+    /**
+     * A search of a net.
+     *
+     * @param budget of each of its searches
+     */
+    public SaturatedSearch(
+            PetriNet net, SearchBudget budget, NetSymmetry symmetry, GraphWatch watch, LongSupplier nanos) {
+        this.net = net;
+        this.budget = budget;
+        this.symmetry = symmetry;
+        this.watch = watch;
+        this.nanos = nanos;
+    }
+
+    /**
+     * The graph of the net with its edges, as far as no place gathers tokens: complete where none does.
+     */
+    public ReachabilityGraph exact() {
+        SaturablePlaces places = new SaturablePlaces(net);
+        SearchSettings settings =
+                SearchSettings.within(budget).withEdges().withGoal(marking -> places.isFilled(marking, GATHERED));
+        return ReachabilitySearch.explore(
+                net, symmetry.isEmpty() ? settings : settings.withSymmetry(symmetry), watch, nanos);
+    }
+
+    /**
+     * The graph with places saturated; empty where the budget did not do, or nothing gathers.
+     *
+     * @param found the graph that ended where a place had gathered tokens
+     */
+    public Optional<SaturatedQueries> saturated(ReachabilityGraph found) {
+        SaturablePlaces places = new SaturablePlaces(net);
+        BitSet gathering = new BitSet();
+        ReachabilityGraph graph = found;
+        while (graph.found().isPresent()) {
+            gathering.or(places.filled(graph.marking(graph.found().getAsInt()), GATHERED));
+            SaturatedNet saturated = SaturatedNet.of(net, gathering);
+            SearchSettings settings = SearchSettings.within(budget)
+                    .withEdgesOf(saturated::isSure)
+                    .withGoal(marking -> places.isFilled(marking, GATHERED));
+            NetSymmetry like = NetSymmetry.of(saturated.net());
+            graph = ReachabilitySearch.explore(
+                    saturated.net(), like.isEmpty() ? settings : settings.withSymmetry(like), watch, nanos);
+            if (graph.isComplete()) {
+                return Optional.of(new SaturatedQueries(saturated, graph));
+            }
+        }
+        return Optional.empty();
+    }
+}
