@@ -79,22 +79,8 @@ public final class SaturablePlaces {
         return exact.get(place);
     }
 
-    /** Those places that have at least so many tokens in a marking. */
-    public BitSet filled(int[] marking, int tokens) {
-        BitSet filled = new BitSet();
-        for (int place = 0; place < marking.length; place++) {
-            filled.set(place, marking[place] >= tokens && places.get(place));
-        }
-        return filled;
-    }
-
-    /** Whether one of them has at least so many tokens in a marking. */
-    public boolean isFilled(int[] marking, int tokens) {
-        for (int place = 0; place < marking.length; place++) {
-            if (marking[place] >= tokens && places.get(place)) {
-                return true;
-            }
-        }
-        return false;
+    /** All of them. */
+    public BitSet all() {
+        return (BitSet) places.clone();
     }
 }

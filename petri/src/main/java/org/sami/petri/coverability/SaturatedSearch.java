@@ -17,9 +17,10 @@ import org.sami.petri.symmetry.NetSymmetry;
  */
 public final class SaturatedSearch {
     /** A place gathers tokens where it has so many: no arc tells that from one. */
-    private static final int GATHERED = 3;
+    private static final int GATHERED = 2;
 
     private final PetriNet net;
+    private final BitSet candidates;
     private final SearchBudget budget;
     private final NetSymmetry symmetry;
     private final GraphWatch watch;
@@ -28,11 +29,19 @@ public final class SaturatedSearch {
     /**
      * A search of a net.
      *
+     * @param candidates places that may be saturated where they can be; others are always counted
      * @param budget of each of its searches
      */
     public SaturatedSearch(
-            PetriNet net, SearchBudget budget, NetSymmetry symmetry, GraphWatch watch, LongSupplier nanos) {
+            PetriNet net,
+            BitSet candidates,
+            SearchBudget budget,
+            NetSymmetry symmetry,
+            GraphWatch watch,
+            LongSupplier nanos) {
         this.net = net;
+        this.candidates = (BitSet) candidates.clone();
+        this.candidates.and(new SaturablePlaces(net).all());
         this.budget = budget;
         this.symmetry = symmetry;
         this.watch = watch;
@@ -43,9 +52,7 @@ public final class SaturatedSearch {
      * The graph of the net with its edges, as far as no place gathers tokens: complete where none does.
      */
     public ReachabilityGraph exact() {
-        SaturablePlaces places = new SaturablePlaces(net);
-        SearchSettings settings =
-                SearchSettings.within(budget).withEdges().withGoal(marking -> places.isFilled(marking, GATHERED));
+        SearchSettings settings = SearchSettings.within(budget).withEdges().withGoal(this::gathers);
         return ReachabilitySearch.explore(
                 net, symmetry.isEmpty() ? settings : settings.withSymmetry(symmetry), watch, nanos);
     }
@@ -56,15 +63,15 @@ public final class SaturatedSearch {
      * @param found the graph that ended where a place had gathered tokens
      */
     public Optional<SaturatedQueries> saturated(ReachabilityGraph found) {
-        SaturablePlaces places = new SaturablePlaces(net);
         BitSet gathering = new BitSet();
         ReachabilityGraph graph = found;
         while (graph.found().isPresent()) {
-            gathering.or(places.filled(graph.marking(graph.found().getAsInt()), GATHERED));
+            int[] marking = graph.marking(graph.found().getAsInt());
+            candidates.stream().filter(place -> marking[place] >= GATHERED).forEach(gathering::set);
             SaturatedNet saturated = SaturatedNet.of(net, gathering);
             SearchSettings settings = SearchSettings.within(budget)
                     .withEdgesOf(saturated::isSure)
-                    .withGoal(marking -> places.isFilled(marking, GATHERED));
+                    .withGoal(this::gathers);
             NetSymmetry like = NetSymmetry.of(saturated.net());
             graph = ReachabilitySearch.explore(
                     saturated.net(), like.isEmpty() ? settings : settings.withSymmetry(like), watch, nanos);
@@ -73,5 +80,14 @@ public final class SaturatedSearch {
             }
         }
         return Optional.empty();
+    }
+
+    private boolean gathers(int[] marking) {
+        for (int place = candidates.nextSetBit(0); place >= 0; place = candidates.nextSetBit(place + 1)) {
+            if (marking[place] >= GATHERED) {
+                return true;
+            }
+        }
+        return false;
     }
 }

@@ -69,7 +69,7 @@ class SaturatedQueriesTest {
     void aBufferWithoutBoundHasFewStates() {
         PetriNet net = OpenNets.producerAndConsumer();
         SaturatedSearch search = new SaturatedSearch(
-                net, ENOUGH, NetSymmetry.of(net), GraphWatch.NONE, System::nanoTime);
+                net, new SaturablePlaces(net).all(), ENOUGH, NetSymmetry.of(net), GraphWatch.NONE, System::nanoTime);
 
         ReachabilityGraph exact = search.exact();
         SaturatedQueries queries = search.saturated(exact).orElseThrow();

@@ -13,23 +13,34 @@ import org.sami.spn.model.Transition;
  * in places, so requirements take the tokens of the first places first.
  */
 final class GenericOptions {
-    /** So many generic tokens of a place are followed where a requirement speaks of all of them. */
-    static final int MOST = 3;
+    /** So many generic tokens of a place are followed where a requirement speaks of all of them, and as many as there are robots: each may bring one. */
+    private static final int LEAST_FOLLOWED = 3;
 
     private final MissionPlaces places;
     private final PossibleTokens possible;
     private final Transition t;
     private final Selections selections;
     private final int beyond;
+    private final int followed;
     private final List<String> spots;
 
-    /** @param beyond the control place that is marked where there were more than are followed */
-    GenericOptions(MissionPlaces places, PossibleTokens possible, Transition t, Selections selections, int beyond) {
+    /**
+     * @param robots how many there are
+     * @param beyond the control place that is marked where there were more tokens than are followed
+     */
+    GenericOptions(
+            MissionPlaces places,
+            PossibleTokens possible,
+            Transition t,
+            Selections selections,
+            int robots,
+            int beyond) {
         this.places = places;
         this.possible = possible;
         this.t = t;
         this.selections = selections;
         this.beyond = beyond;
+        followed = Math.max(LEAST_FOLLOWED, robots);
         spots = possible.spots(t, PlanToken.GENERIC);
     }
 
@@ -46,7 +57,7 @@ final class GenericOptions {
         if (spots.isEmpty() || (!byAll && most <= 0)) {
             addPicks(new int[spots.size()], false, false, options);
         } else {
-            count(new int[spots.size()], 0, byAll, byAll ? MOST + 1 : most, options);
+            count(new int[spots.size()], 0, byAll, byAll ? followed + 1 : most, options);
         }
         return options;
     }
@@ -94,7 +105,7 @@ final class GenericOptions {
         for (int i = 0; i < counts.length && isCounted; i++) {
             int at = places.of(spots.get(i), PlanToken.GENERIC).getAsInt();
             option.arcs.atLeast(at, counts[i]);
-            int most = isExact ? MOST + 1 : selectionsMost();
+            int most = isExact ? followed + 1 : selectionsMost();
             boolean isTop = counts[i] >= most;
             if (!possible.hasSub(spots.get(i)) && !isTop && !(isOne && here > 0)) {
                 option.arcs.below(at, counts[i] + 1);

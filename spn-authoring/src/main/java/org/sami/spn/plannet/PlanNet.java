@@ -1,6 +1,7 @@
 package org.sami.spn.plannet;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -131,6 +132,19 @@ public final class PlanNet {
             }
         }
         return image;
+    }
+
+    /** The places of generic tokens and of visits by nobody, which alone can gather without bound. */
+    public BitSet uncounted() {
+        BitSet found = new BitSet();
+        for (int i = 0; i < places.size(); i++) {
+            PlanNetPlace place = places.get(i);
+            found.set(
+                    i,
+                    place.role() == PlanNetPlace.Role.NOBODY
+                            || place.token().equals(PlanToken.GENERIC.label()));
+        }
+        return found;
     }
 
     /** What was translated. */

@@ -67,9 +67,13 @@ final class PlanNetWork {
         return counted;
     }
 
+    int robots() {
+        return request.robots().size();
+    }
+
     /** How many tokens of the mission one of the team stands for. */
     int count(PlanToken token) {
-        return token.equals(PlanToken.ROBOTS) ? request.robots().size() : 1;
+        return token.equals(PlanToken.ROBOTS) ? robots() : 1;
     }
 
     /**

@@ -106,7 +106,9 @@ final class TransitionCases {
             }
         }
         List<GenericOption> generics =
-                new GenericOptions(work.places(), work.possible(), t, selections, work.beyond()).all();
+                new GenericOptions(
+                        work.places(), work.possible(), t, selections, work.robots(), work.beyond())
+                .all();
         choose(perToken, 0, 0, new ArrayList<>(), generics);
     }
 

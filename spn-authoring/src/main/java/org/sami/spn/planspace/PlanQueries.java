@@ -116,6 +116,7 @@ public final class PlanQueries {
         looked = states;
         SaturatedSearch search = new SaturatedSearch(
                 net.net(),
+                net.uncounted(),
                 new SearchBudget(states, budget.bytes(), budget.time()),
                 symmetry,
                 watch,
@@ -123,6 +124,9 @@ public final class PlanQueries {
         ReachabilityGraph graph = search.exact();
         if (graph.found().isPresent()) {
             saturated = search.saturated(graph);
+            if (saturated.isEmpty() && isAll) {
+                runner.know(runner.whole());
+            }
         } else if (isAll || graph.isComplete()) {
             looked = budget.states();
             runner.know(graph);

@@ -45,6 +45,8 @@ import picocli.CommandLine.Spec;
         footerHeading = "%nExamples:%n",
         footer = {"  crw analyse-all", "  crw analyse-all my-plan.json --boats 1,2,8"})
 public final class AnalyseAllCommand implements Callable<Integer> {
+    private static final int STANDARD_STATES = 100_000;
+
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
@@ -75,10 +77,20 @@ public final class AnalyseAllCommand implements Callable<Integer> {
             description = "How long each search may take. Default: ${DEFAULT-VALUE}.")
     private long millis;
 
+    @Option(
+            names = "--states",
+            paramLabel = "N",
+            description = "How many states of a net are looked at. Default: "
+                    + STANDARD_STATES + ", fewer in nets of more than 400 transitions, which may be 10000 at most.")
+    private int states;
+
     @Override
     public Integer call() {
         if (boats.stream().anyMatch(n -> n < 0 || n > PlanArgument.MOST_BOATS)) {
             throw new UsageFault("--boats is 0 to " + PlanArgument.MOST_BOATS + ", several with commas, not " + boats);
+        }
+        if (states < 0 || states > SearchBudget.MOST_STATES) {
+            throw new UsageFault("--states is 1 to " + SearchBudget.MOST_STATES + ", not " + states);
         }
         Reading<DomainLibrary> words = domain.read();
         PrintWriter err = spec.commandLine().getErr();
@@ -97,8 +109,8 @@ public final class AnalyseAllCommand implements Callable<Integer> {
         ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             SearchBudget budget = new SearchBudget(
-                    SearchBudget.MOST_STATES, Runtime.getRuntime().maxMemory() / 2, Duration.ofMillis(millis));
-            AnalysedPlans analysed = new AnalysedPlans(library, budget, SearchProgress.watch(progress, stop));
+                    states > 0 ? states : STANDARD_STATES, Runtime.getRuntime().maxMemory() / 2, Duration.ofMillis(millis));
+            AnalysedPlans analysed = new AnalysedPlans(library, budget, states == 0, SearchProgress.watch(progress, stop));
             for (PlanSource source : sources) {
                 isRead &= source.project().isPresent();
                 if (source.project().isEmpty()) {

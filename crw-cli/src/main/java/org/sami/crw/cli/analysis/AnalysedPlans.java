@@ -23,7 +23,14 @@ final class AnalysedPlans {
     private static final PlanQuery ENDS = new PlanQuery("can end", "home ended", PlanQuery.Expected.YES);
 
     private final DomainLibrary library;
+    /** So many states times transitions are looked at where nobody says how many states: seconds at most. */
+    private static final long MOST_LOOKS = 40_000_000;
+
+    /** A net with more transitions is too large for a table. */
+    private static final int MOST_TRANSITIONS = 10_000;
+
     private final SearchBudget budget;
+    private final boolean isOfLooks;
     private final GraphWatch watch;
 
     /**
@@ -47,9 +54,15 @@ final class AnalysedPlans {
             List<PlanQueryAnswer> saved,
             List<String> never) {}
 
-    AnalysedPlans(DomainLibrary library, SearchBudget budget, GraphWatch watch) {
+    /**
+     * Searches with a budget for each net.
+     *
+     * @param isOfLooks whether in nets of many transitions fewer states are looked at
+     */
+    AnalysedPlans(DomainLibrary library, SearchBudget budget, boolean isOfLooks, GraphWatch watch) {
         this.library = library;
         this.budget = budget;
+        this.isOfLooks = isOfLooks;
         this.watch = watch;
     }
 
@@ -58,7 +71,13 @@ final class AnalysedPlans {
                 IntStream.rangeClosed(1, boats).mapToObj(i -> "robot-" + i).toList();
         long begin = System.nanoTime();
         try {
-            PlanNet net = PlanNet.smallest(new PlanNetRequest(project, library.vocabulary(), plan.id(), robots));
+            PlanNet net = PlanNet.smallest(new PlanNetRequest(
+                    project,
+                    library.vocabulary(),
+                    plan.id(),
+                    robots,
+                    PlanNetRequest.STANDARD_TASKS,
+                    isOfLooks ? MOST_TRANSITIONS : PlanNetRequest.STANDARD_TRANSITIONS));
             Found found = found(net, plan);
             return new Row(plan, boats, Optional.of(found), "", System.nanoTime() - begin);
         } catch (PlanNetTooLargeException tooLarge) {
@@ -67,8 +86,15 @@ final class AnalysedPlans {
         }
     }
 
+    private SearchBudget budget(PlanNet net) {
+        long states = MOST_LOOKS / Math.max(1, net.net().transitionCount());
+        return isOfLooks && states < budget.states()
+                ? new SearchBudget((int) Math.max(1, states), budget.bytes(), budget.time())
+                : budget;
+    }
+
     private Found found(PlanNet net, Plan plan) {
-        PlanQueries queries = new PlanQueries(net, budget, watch);
+        PlanQueries queries = new PlanQueries(net, budget(net), watch);
         PlanFacts facts = queries.whole();
         PlanStateWords words = new PlanStateWords(net);
         return new Found(
