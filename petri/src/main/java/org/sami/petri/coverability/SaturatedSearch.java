@@ -2,6 +2,7 @@ package org.sami.petri.coverability;
 
 import java.util.BitSet;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.LongSupplier;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.ReachabilityGraph;
@@ -22,7 +23,7 @@ public final class SaturatedSearch {
     private final PetriNet net;
     private final BitSet candidates;
     private final SearchBudget budget;
-    private final NetSymmetry symmetry;
+    private final Function<PetriNet, NetSymmetry> symmetries;
     private final GraphWatch watch;
     private final LongSupplier nanos;
 
@@ -30,20 +31,21 @@ public final class SaturatedSearch {
      * A search of a net.
      *
      * @param candidates places that may be saturated where they can be; others are always counted
+     * @param symmetries what can be exchanged in the net, and in others with the same places
      * @param budget of each of its searches
      */
     public SaturatedSearch(
             PetriNet net,
             BitSet candidates,
             SearchBudget budget,
-            NetSymmetry symmetry,
+            Function<PetriNet, NetSymmetry> symmetries,
             GraphWatch watch,
             LongSupplier nanos) {
         this.net = net;
         this.candidates = (BitSet) candidates.clone();
         this.candidates.and(new SaturablePlaces(net).all());
         this.budget = budget;
-        this.symmetry = symmetry;
+        this.symmetries = symmetries;
         this.watch = watch;
         this.nanos = nanos;
     }
@@ -53,6 +55,7 @@ public final class SaturatedSearch {
      */
     public ReachabilityGraph exact() {
         SearchSettings settings = SearchSettings.within(budget).withEdges().withGoal(this::gathers);
+        NetSymmetry symmetry = symmetries.apply(net);
         return ReachabilitySearch.explore(
                 net, symmetry.isEmpty() ? settings : settings.withSymmetry(symmetry), watch, nanos);
     }
@@ -72,7 +75,7 @@ public final class SaturatedSearch {
             SearchSettings settings = SearchSettings.within(budget)
                     .withEdgesOf(saturated::isSure)
                     .withGoal(this::gathers);
-            NetSymmetry like = NetSymmetry.of(saturated.net());
+            NetSymmetry like = symmetries.apply(saturated.net());
             graph = ReachabilitySearch.explore(
                     saturated.net(), like.isEmpty() ? settings : settings.withSymmetry(like), watch, nanos);
             if (graph.isComplete()) {

@@ -33,7 +33,7 @@ class SaturatedQueriesTest {
     void answersAboutRandomNetsAreThoseOfTheWholeGraph() {
         Map<NetVerdict, Integer> answered = new EnumMap<>(NetVerdict.class);
         int homes = 0;
-        for (long seed = 0; seed < 6_000; seed++) {
+        for (long seed = 0; seed < 2_500; seed++) {
             PetriNet net = net(seed);
             Random random = new Random(-seed);
             Optional<SaturatedQueries> saturated = saturated(net, random);
@@ -60,16 +60,16 @@ class SaturatedQueriesTest {
                 }
             }
         }
-        assertThat(answered.getOrDefault(NetVerdict.YES, 0)).isGreaterThan(500);
-        assertThat(answered.getOrDefault(NetVerdict.NO, 0)).isGreaterThan(500);
-        assertThat(homes).isGreaterThan(200);
+        assertThat(answered.getOrDefault(NetVerdict.YES, 0)).isGreaterThan(200);
+        assertThat(answered.getOrDefault(NetVerdict.NO, 0)).isGreaterThan(200);
+        assertThat(homes).isGreaterThan(80);
     }
 
     @Test
     void aBufferWithoutBoundHasFewStates() {
         PetriNet net = OpenNets.producerAndConsumer();
         SaturatedSearch search = new SaturatedSearch(
-                net, new SaturablePlaces(net).all(), ENOUGH, NetSymmetry.of(net), GraphWatch.NONE, System::nanoTime);
+                net, new SaturablePlaces(net).all(), ENOUGH, NetSymmetry::of, GraphWatch.NONE, System::nanoTime);
 
         ReachabilityGraph exact = search.exact();
         SaturatedQueries queries = search.saturated(exact).orElseThrow();

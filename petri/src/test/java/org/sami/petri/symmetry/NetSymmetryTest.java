@@ -77,6 +77,35 @@ class NetSymmetryTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"agents-4", "shared-memory-5", "kanban-2", "philosophers-5"})
+    void exchangesThatAreKnownNeedNoSearch(String name) {
+        PetriNet net = ExampleNetNames.find(name).orElseThrow();
+        NetSymmetry searched = NetSymmetry.of(net);
+        List<int[]> images = IntStream.range(0, searched.generators())
+                .mapToObj(generator -> IntStream.range(0, net.placeCount())
+                        .map(place -> searched.imagesOfPlace(place).get(generator))
+                        .toArray())
+                .toList();
+
+        NetSymmetry known = NetSymmetry.of(net, images);
+
+        assertThat(known.generators()).isEqualTo(searched.generators());
+        assertThat(ReachabilitySearch.explore(net, WHOLE.withSymmetry(known)).states())
+                .isEqualTo(quotient(net).states());
+    }
+
+    @Test
+    void anExchangeThatChangesTheNetIsLeftOut() {
+        PetriNet net = ExampleNets.producerConsumer(1);
+        int[] first = IntStream.range(0, net.placeCount()).toArray();
+        first[0] = 1;
+        first[1] = 0;
+        int[] noPermutation = new int[net.placeCount()];
+
+        assertThat(NetSymmetry.of(net, List.of(first, noPermutation)).isEmpty()).isTrue();
+    }
+
     @Test
     void sharedMemoryHasThePublishedNumberOfStatesUpToSymmetry() {
         assertThat(quotient(ExampleNets.sharedMemory(5)).states()).isEqualTo(51);

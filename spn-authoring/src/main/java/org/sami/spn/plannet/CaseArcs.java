@@ -1,5 +1,6 @@
 package org.sami.spn.plannet;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -103,8 +104,8 @@ final class CaseArcs {
         produced.forEach((place, tokens) -> net.produce(transition, place, tokens));
     }
 
-    /** Equal texts: equal arcs. */
-    String key() {
-        return least + "|" + below + "|" + minus + "|" + plus + "|" + emptied;
+    /** Equal keys: equal arcs. It changes with them. */
+    Object key() {
+        return List.of(least, below, minus, plus, emptied);
     }
 }

@@ -12,13 +12,13 @@ import org.sami.spn.model.Transition;
  */
 final class CountedRobots {
     private final MissionPlaces places;
-    private final PossibleTokens possible;
-    private final Transition t;
+    private final List<String> spots;
 
     CountedRobots(MissionPlaces places, PossibleTokens possible, Transition t) {
         this.places = places;
-        this.possible = possible;
-        this.t = t;
+        spots = possible.spots(t, PlanToken.ROBOTS).stream()
+                .filter(place -> !possible.hasSub(place))
+                .toList();
     }
 
     /**
@@ -44,9 +44,6 @@ final class CountedRobots {
             return Optional.empty(); // it may be anywhere as well
         }
         here.forEach((place, count) -> arcs.atLeast(at(place), count));
-        List<String> spots = possible.spots(t, PlanToken.ROBOTS).stream()
-                .filter(place -> !possible.hasSub(place))
-                .toList();
         if (absent > 0 && !isOneAnywhere) {
             spots.forEach(place -> arcs.below(at(place), here.getOrDefault(place, 0) + 1));
         } else if (absent > 0 && spots.size() == 1) {

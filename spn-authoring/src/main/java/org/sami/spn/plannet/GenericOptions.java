@@ -13,8 +13,14 @@ import org.sami.spn.model.Transition;
  * in places, so requirements take the tokens of the first places first.
  */
 final class GenericOptions {
-    /** So many generic tokens of a place are followed where a requirement speaks of all of them, and as many as there are robots: each may bring one. */
-    private static final int LEAST_FOLLOWED = 3;
+    /** So many generic tokens of a place are followed where a requirement speaks of all of them. */
+    private static final int FOLLOWED = 3;
+
+    /** Of up to so many places as many are followed as there are robots, as each may bring one. */
+    private static final int FEW_PLACES = 2;
+
+    /** Of more places than these one token each: there is a case for each number in each of them. */
+    private static final int SOME_PLACES = 4;
 
     private final MissionPlaces places;
     private final PossibleTokens possible;
@@ -40,8 +46,8 @@ final class GenericOptions {
         this.t = t;
         this.selections = selections;
         this.beyond = beyond;
-        followed = Math.max(LEAST_FOLLOWED, robots);
         spots = possible.spots(t, PlanToken.GENERIC);
+        followed = spots.size() > SOME_PLACES ? 1 : spots.size() > FEW_PLACES ? FOLLOWED : Math.max(FOLLOWED, robots);
     }
 
     List<GenericOption> all() {

@@ -22,20 +22,24 @@ final class TokenOptions {
     private final Selections selections;
     private final boolean speaksOfRelevant;
     private final Set<String> watched;
+    private final boolean ends;
 
+    /** @param ends whether the firing ends the mission: then nobody looks at the places that tokens leave */
     TokenOptions(
             MissionPlaces places,
             PossibleTokens possible,
             Transition t,
             Selections selections,
             boolean speaksOfRelevant,
-            Set<String> watched) {
+            Set<String> watched,
+            boolean ends) {
         this.places = places;
         this.possible = possible;
         this.t = t;
         this.selections = selections;
         this.speaksOfRelevant = speaksOfRelevant;
         this.watched = watched;
+        this.ends = ends;
     }
 
     List<TokenOption> of(PlanToken token) {
@@ -88,8 +92,40 @@ final class TokenOptions {
                     .forEach(group -> anywhere.levels.put(group, 0));
             options.add(anywhere);
         }
-        if (isNamed || byAll || byNumber || bySub || mustReport) {
+        if (ends && byAll && !isNamed && !byNumber && !bySub && !mustReport && isTakenAnywhere(token, spots)) {
+            addFirst(token, spots, options);
+        } else if (isNamed || byAll || byNumber || bySub || mustReport) {
             addPlaced(token, isNamed, spots, byAll || mustReport, byNumber || bySub, options);
+        }
+    }
+
+    /** Whether a token of which there may be several goes wherever it stands, and nothing depends on where. */
+    private boolean isTakenAnywhere(PlanToken token, List<String> spots) {
+        return possible.isCopied(token)
+                && spots.stream().noneMatch(possible::hasSub)
+                && selections.all().stream()
+                        .anyMatch(s -> s.removes() && s.requirement().takesAll() && possible.covers(s.requirement(), t, token));
+    }
+
+    /** A case for nowhere, and one for each place that is the first in which it stands: it goes from all. */
+    private void addFirst(PlanToken token, List<String> spots, List<TokenOption> options) {
+        for (int first = 0; first <= spots.size(); first++) {
+            List<String> present = first < spots.size() ? List.of(spots.get(first)) : List.of();
+            TokenOption option = new TokenOption(token, false, present, true);
+            for (int i = 0; i < first; i++) {
+                option.arcs.below(places.of(spots.get(i), token).getAsInt(), 1);
+            }
+            if (!present.isEmpty()) {
+                option.arcs.atLeast(places.of(spots.get(first), token).getAsInt(), 1);
+                spots.forEach(spot -> option.arcs.empty(places.of(spot, token).getAsInt()));
+                option.left.addAll(present);
+                option.removed.addAll(present);
+                selections.all().stream()
+                        .filter(s -> s.adds() && selects(s, option, false))
+                        .forEach(s -> option.edges.add(s.edge()));
+                enter(option);
+            }
+            options.add(option);
         }
     }
 

@@ -37,13 +37,15 @@ final class TransitionCases {
     private final Set<String> watched;
     private final boolean mustHaveRelevant;
     private final boolean hasTasks;
-    private final Set<String> known = new HashSet<>();
+    private final CountedRobots countedRobots;
+    private final Set<Object> known = new HashSet<>();
     private int made;
 
     TransitionCases(PlanNetWork work, Transition t, List<CaseArcs> conditions) {
         this.work = work;
         this.t = t;
         this.conditions = conditions;
+        countedRobots = new CountedRobots(work.places(), work.possible(), t);
         ins = work.plan().inEdgesOf(t.id());
         selections = new Selections(t, work.plan().outEdgesOf(t.id()));
         watched = t.waitFor() == WaitFor.ALL && !t.inputs().isEmpty() ? watchedPlaces() : Set.of();
@@ -98,7 +100,7 @@ final class TransitionCases {
         if (conditions.isEmpty()) {
             return; // it can never fire
         }
-        TokenOptions options = new TokenOptions(work.places(), work.possible(), t, selections, speaks, watched);
+        TokenOptions options = new TokenOptions(work.places(), work.possible(), t, selections, speaks, watched, ends());
         List<List<TokenOption>> perToken = new ArrayList<>();
         for (PlanToken token : work.team()) {
             if (token.type() != TokenType.GENERIC) {
@@ -122,8 +124,14 @@ final class TransitionCases {
             throws PlanNetTooLargeException {
         if (next == perToken.size()) {
             if (isMet(chosen)) {
-                for (GenericOption generic : generics) {
-                    join(chosen, generic);
+                List<TokenOption> robots = chosen.stream()
+                        .filter(o -> o.token.equals(PlanToken.ROBOTS))
+                        .toList();
+                Optional<CaseArcs> ofRobots = countedRobots.arcs(robots);
+                if (ofRobots.isPresent()) { // else another case does the same and supposes less
+                    for (GenericOption generic : generics) {
+                        join(chosen, robots, ofRobots.get(), generic);
+                    }
                 }
             }
             return;
@@ -155,25 +163,31 @@ final class TransitionCases {
         return true;
     }
 
-    private void join(List<TokenOption> chosen, GenericOption generic) throws PlanNetTooLargeException {
+    /** Whether it leads to an end of the mission. */
+    private boolean ends() {
+        return selections.edges().stream().anyMatch(edge -> isEnd(edge.place()));
+    }
+
+    private boolean isEnd(String place) {
+        return work.plan().place(place).filter(Place::end).isPresent();
+    }
+
+    /** @param robots those of the chosen options that are of robots that are counted, with what they ask for together */
+    private void join(
+            List<TokenOption> chosen, List<TokenOption> robots, CaseArcs ofRobots, GenericOption generic)
+            throws PlanNetTooLargeException {
         boolean isLoose = chosen.stream().anyMatch(o -> work.possible().isCopied(o.token));
         if (!TokenOptions.fits(selections.numbers(), chosen, generic.picked, generic.more, isLoose)) {
             return;
         }
-        List<TokenOption> robots =
-                chosen.stream().filter(o -> o.token.equals(PlanToken.ROBOTS)).toList();
-        Optional<CaseArcs> ofRobots = new CountedRobots(work.places(), work.possible(), t).arcs(robots);
-        if (ofRobots.isEmpty()) {
-            return; // another case does the same and supposes less
-        }
         CaseArcs arcs = generic.arcs.copy();
-        arcs.join(ofRobots.get());
+        arcs.join(ofRobots);
         List<PlanNetMove> moves = new ArrayList<>(generic.moves);
         Set<Integer> entered = new LinkedHashSet<>(generic.edges);
         Set<String> left = new LinkedHashSet<>(generic.left);
         List<String> named = new ArrayList<>();
         for (TokenOption option : chosen) {
-            if (!option.token.equals(PlanToken.ROBOTS)) {
+            if (robots.isEmpty() || !option.token.equals(PlanToken.ROBOTS)) {
                 arcs.join(option.arcs);
             }
             moves.addAll(option.moves);
@@ -186,7 +200,7 @@ final class TransitionCases {
         boolean ends = false;
         for (int i = 0; i < selections.edges().size(); i++) {
             OutEdge edge = selections.edges().get(i);
-            boolean isEnd = work.plan().place(edge.place()).filter(Place::end).isPresent();
+            boolean isEnd = isEnd(edge.place());
             ends |= isEnd;
             boolean unconditional = edge.requirements().isEmpty()
                     || edge.requirements().stream().anyMatch(r -> r.kind() == TokenKind.UNCONDITIONAL);

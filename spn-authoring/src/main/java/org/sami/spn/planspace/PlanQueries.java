@@ -11,6 +11,7 @@ import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.MarkingTest;
 import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.graph.SearchBudget;
+import org.sami.petri.net.PetriNet;
 import org.sami.petri.query.NetQuery;
 import org.sami.petri.query.QueryAnswer;
 import org.sami.petri.query.QueryAnswer.NetVerdict;
@@ -62,7 +63,7 @@ public final class PlanQueries {
         names = new PlanNetNames(net);
         // without stubborn sets: each end takes the place "running", which every transition needs, so none is
         // independent of all others
-        symmetry = symmetry(net);
+        symmetry = symmetry(net.net());
         QueryMeans means = new QueryMeans(false, Optional.of(symmetry));
         runner = new QueryRunner(net.net(), budget, means, watch, System::nanoTime);
         this.budget = budget;
@@ -70,11 +71,11 @@ public final class PlanQueries {
         engine = new RunOnEngine(net, MOST_STEPS, watch::isCancelled);
     }
 
-    /** In a large net the exchanges that are known are all that is looked for. */
-    private static NetSymmetry symmetry(PlanNet net) {
-        return net.net().transitionCount() > LARGE
-                ? NetSymmetry.of(net.net(), net.exchanges())
-                : NetSymmetry.of(net.net());
+    /** Where robots are counted, and in a large net, the exchanges that are known are all that is looked for. */
+    private NetSymmetry symmetry(PetriNet of) {
+        return net.isCounted() || of.transitionCount() > LARGE
+                ? NetSymmetry.of(of, net.exchanges())
+                : NetSymmetry.of(of);
     }
 
     /** What is wrong with the text of a query; empty where it means something. */
@@ -118,7 +119,7 @@ public final class PlanQueries {
                 net.net(),
                 net.uncounted(),
                 new SearchBudget(states, budget.bytes(), budget.time()),
-                symmetry,
+                of -> of == net.net() ? symmetry : symmetry(of),
                 watch,
                 System::nanoTime);
         ReachabilityGraph graph = search.exact();

@@ -130,4 +130,42 @@ class PlanQueriesTest {
         assertThat(queries.fault("reachable m(c) >= 1")).isEmpty();
         assertThat(queries.fault("reachable m(d) >= 1").orElseThrow()).contains("column 13", "'d'");
     }
+
+    @Test
+    void netThatCountsRobotsAnswersWithTheirNames() throws PlanNetTooLargeException {
+        PlanNet counted = PlanNet.smallest(net(asked(), "A", "B", "C").request());
+
+        PlanQueryAnswer one = answer(counted, "reachable m(c.robots) = 1 and m(a.robots) = 2", PlanQuery.Expected.YES);
+        PlanQueryAnswer byName = answer(counted, "reachable m(c.B) = 1 and m(a.A) = 1", PlanQuery.Expected.YES);
+
+        assertThat(counted.isCounted()).isTrue();
+        assertThat(one.words()).contains("and the engine comes there by 1 step");
+        assertThat(one.run().get(0).named()).containsExactly("A");
+        assertThat(one.witness().orElseThrow().end().words()).isEqualTo("a: B C generic; c: A");
+        assertThat(byName.words()).contains("and the engine comes there by 1 step");
+        assertThat(byName.run().get(0).named()).contains("B").doesNotContain("A");
+    }
+
+    @Test
+    void tokensThatGatherAreNotCounted() throws PlanNetTooLargeException {
+        NetBuilder gathers = asked()
+                .places("kept")
+                .end("b")
+                .transition("again", "Chosen")
+                .in("a", "again", "relevant all")
+                .out("again", "a", "take all relevant")
+                .out("again", "kept", "add 1 generic")
+                .transition("u")
+                .in("a", "u", "proxy = 0")
+                .out("u", "b", "take all proxy");
+        PlanNet net = net(gathers, "A");
+
+        PlanQueryAnswer home = answer(net, "home ended", PlanQuery.Expected.YES);
+        PlanQueries queries = new PlanQueries(net, ENOUGH, GraphWatch.NONE);
+
+        assertThat(home.result()).isEqualTo(Result.EXPECTED);
+        assertThat(home.words()).contains("however many tokens are in kept.generic");
+        assertThat(queries.whole().gathering()).containsExactly("kept");
+        assertThat(queries.whole().graph().isComplete()).isTrue();
+    }
 }

@@ -45,7 +45,7 @@ import picocli.CommandLine.Spec;
         footerHeading = "%nExamples:%n",
         footer = {"  crw analyse-all", "  crw analyse-all my-plan.json --boats 1,2,8"})
 public final class AnalyseAllCommand implements Callable<Integer> {
-    private static final int STANDARD_STATES = 100_000;
+    private static final int STANDARD_STATES = 50_000;
 
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
