@@ -45,8 +45,7 @@ public final class SaturatedQueries {
         if (query instanceof NetQuery.Reachable reachable) {
             return never(reachable.condition(), NetVerdict.NO, "such a marking");
         } else if (query instanceof NetQuery.Invariant invariant) {
-            return never(
-                    new MarkingCondition.Not(invariant.condition()), NetVerdict.YES, "a marking that breaks it");
+            return never(new MarkingCondition.Not(invariant.condition()), NetVerdict.YES, "a marking that breaks it");
         } else if (query instanceof NetQuery.Deadlock deadlock) {
             return speaks(deadlock.end())
                     ? Optional.empty()
@@ -74,11 +73,9 @@ public final class SaturatedQueries {
     }
 
     private QueryAnswer answer(NetVerdict verdict, String words) {
-        String where = saturated.places().stream()
-                .mapToObj(graph.net()::placeId)
-                .collect(Collectors.joining(", "));
-        return new QueryAnswer(
-                verdict, words + ", however many tokens are in " + where, Optional.empty(), graph);
+        String where =
+                saturated.places().stream().mapToObj(graph.net()::placeId).collect(Collectors.joining(", "));
+        return new QueryAnswer(verdict, words + ", however many tokens are in " + where, Optional.empty(), graph);
     }
 
     private Optional<QueryAnswer> never(MarkingCondition condition, NetVerdict verdict, String what) {

@@ -72,9 +72,8 @@ public final class SaturatedSearch {
             int[] marking = graph.marking(graph.found().getAsInt());
             candidates.stream().filter(place -> marking[place] >= GATHERED).forEach(gathering::set);
             SaturatedNet saturated = SaturatedNet.of(net, gathering);
-            SearchSettings settings = SearchSettings.within(budget)
-                    .withEdgesOf(saturated::isSure)
-                    .withGoal(this::gathers);
+            SearchSettings settings =
+                    SearchSettings.within(budget).withEdgesOf(saturated::isSure).withGoal(this::gathers);
             NetSymmetry like = symmetries.apply(saturated.net());
             graph = ReachabilitySearch.explore(
                     saturated.net(), like.isEmpty() ? settings : settings.withSymmetry(like), watch, nanos);

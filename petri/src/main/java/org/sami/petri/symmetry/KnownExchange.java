@@ -32,9 +32,8 @@ final class KnownExchange {
         long[] moved = sums(places);
         int[] transitions = new int[own.length];
         for (int t = 0; t < own.length; t++) {
-            Integer image = Optional.ofNullable(free.get(moved[t]))
-                    .map(Deque::poll)
-                    .orElse(null);
+            Integer image =
+                    Optional.ofNullable(free.get(moved[t])).map(Deque::poll).orElse(null);
             if (image == null) {
                 return Optional.empty();
             }

@@ -77,11 +77,20 @@ class SaturatedQueriesTest {
         assertThat(exact.isComplete()).isFalse();
         assertThat(queries.net().places()).isEqualTo(BitSet.valueOf(new long[] {1 << 2}));
         assertThat(queries.graph().states()).isEqualTo(8);
-        assertThat(queries.answer(new NetQuery.Deadlock(NEVER)).orElseThrow().verdict()).isEqualTo(NetVerdict.NO);
-        assertThat(queries.answer(new NetQuery.Home(atLeast(4, 1))).orElseThrow().verdict()).isEqualTo(NetVerdict.YES);
-        assertThat(queries.answer(new NetQuery.Bound(2))).as("how many is not followed").isEmpty();
+        assertThat(queries.answer(new NetQuery.Deadlock(NEVER)).orElseThrow().verdict())
+                .isEqualTo(NetVerdict.NO);
+        assertThat(queries.answer(new NetQuery.Home(atLeast(4, 1)))
+                        .orElseThrow()
+                        .verdict())
+                .isEqualTo(NetVerdict.YES);
+        assertThat(queries.answer(new NetQuery.Bound(2)))
+                .as("how many is not followed")
+                .isEmpty();
         assertThat(queries.answer(new NetQuery.Reachable(atLeast(2, 9)))).isEmpty();
-        assertThat(queries.answer(new NetQuery.Reachable(atLeast(0, 2))).orElseThrow().verdict()).isEqualTo(NetVerdict.NO);
+        assertThat(queries.answer(new NetQuery.Reachable(atLeast(0, 2)))
+                        .orElseThrow()
+                        .verdict())
+                .isEqualTo(NetVerdict.NO);
     }
 
     /** What a token that is left promises, who needs two tokens does not find: such a place is not saturated. */

@@ -51,8 +51,7 @@ final class NamedRobots {
                 .toList();
         Map<String, String> to = new LinkedHashMap<>(at);
         for (TokenOption option : options) {
-            String robot =
-                    free(used, option.isAbsent() ? place -> !watched.contains(place) : option.present::contains);
+            String robot = free(used, option.isAbsent() ? place -> !watched.contains(place) : option.present::contains);
             used.add(robot);
             if (option.isNamed) {
                 named.add(robot);
@@ -63,8 +62,9 @@ final class NamedRobots {
             }
         }
         at.putAll(to);
-        List<PlanNetMove> all = new ArrayList<>(
-                firing.moves().stream().filter(move -> !net.isRobot(move.token())).toList());
+        List<PlanNetMove> all = new ArrayList<>(firing.moves().stream()
+                .filter(move -> !net.isRobot(move.token()))
+                .toList());
         moves.sort(Comparator.comparing(move -> net.request().robots().indexOf(move.token())));
         all.addAll(moves);
         named.sort(Comparator.comparing(net.request().robots()::indexOf));

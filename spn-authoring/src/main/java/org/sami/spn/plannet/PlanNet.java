@@ -140,9 +140,7 @@ public final class PlanNet {
         for (int i = 0; i < places.size(); i++) {
             PlanNetPlace place = places.get(i);
             found.set(
-                    i,
-                    place.role() == PlanNetPlace.Role.NOBODY
-                            || place.token().equals(PlanToken.GENERIC.label()));
+                    i, place.role() == PlanNetPlace.Role.NOBODY || place.token().equals(PlanToken.GENERIC.label()));
         }
         return found;
     }

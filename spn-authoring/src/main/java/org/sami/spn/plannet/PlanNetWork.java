@@ -28,8 +28,7 @@ final class PlanNetWork {
         this.team = team;
         possible = new PossibleTokens(request.project(), request.vocabulary(), plan, team);
         net = new PetriNetBuilder(plan.title());
-        places = new MissionPlaces(
-                net, plan, team, possible, request.robots().size());
+        places = new MissionPlaces(net, plan, team, possible, request.robots().size());
         beyond = places.control("beyond", "more tokens at once than the net follows", 0);
     }
 

@@ -66,7 +66,8 @@ final class PlanTranslation {
     /** Whether there can be several of one robot: then its places are not where it stands but where it is at least once. */
     boolean copiesRobots() {
         return work.team().stream()
-                .anyMatch(token -> token.type() == TokenType.PROXY && work.possible().isCopied(token));
+                .anyMatch(token ->
+                        token.type() == TokenType.PROXY && work.possible().isCopied(token));
     }
 
     PlanNet translate() throws PlanNetTooLargeException {

@@ -33,8 +33,7 @@ final class TokenOption {
         this(token, isNamed, present, isKnown, false);
     }
 
-    private TokenOption(
-            PlanToken token, boolean isNamed, List<String> present, boolean isKnown, boolean isAnywhere) {
+    private TokenOption(PlanToken token, boolean isNamed, List<String> present, boolean isKnown, boolean isAnywhere) {
         this.token = token;
         this.isNamed = isNamed;
         this.present = present;

@@ -104,7 +104,9 @@ final class TokenOptions {
         return possible.isCopied(token)
                 && spots.stream().noneMatch(possible::hasSub)
                 && selections.all().stream()
-                        .anyMatch(s -> s.removes() && s.requirement().takesAll() && possible.covers(s.requirement(), t, token));
+                        .anyMatch(s -> s.removes()
+                                && s.requirement().takesAll()
+                                && possible.covers(s.requirement(), t, token));
     }
 
     /** A case for nowhere, and one for each place that is the first in which it stands: it goes from all. */

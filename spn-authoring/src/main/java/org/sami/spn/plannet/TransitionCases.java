@@ -108,9 +108,7 @@ final class TransitionCases {
             }
         }
         List<GenericOption> generics =
-                new GenericOptions(
-                        work.places(), work.possible(), t, selections, work.robots(), work.beyond())
-                .all();
+                new GenericOptions(work.places(), work.possible(), t, selections, work.robots(), work.beyond()).all();
         choose(perToken, 0, 0, new ArrayList<>(), generics);
     }
 
@@ -173,8 +171,7 @@ final class TransitionCases {
     }
 
     /** @param robots those of the chosen options that are of robots that are counted, with what they ask for together */
-    private void join(
-            List<TokenOption> chosen, List<TokenOption> robots, CaseArcs ofRobots, GenericOption generic)
+    private void join(List<TokenOption> chosen, List<TokenOption> robots, CaseArcs ofRobots, GenericOption generic)
             throws PlanNetTooLargeException {
         boolean isLoose = chosen.stream().anyMatch(o -> work.possible().isCopied(o.token));
         if (!TokenOptions.fits(selections.numbers(), chosen, generic.picked, generic.more, isLoose)) {
@@ -308,8 +305,7 @@ final class TransitionCases {
                 .forEach(edge -> work.places().occasion(edge.transition()).ifPresent(arcs::set));
     }
 
-    private void put(CaseArcs arcs, PlanNetFiring firing, List<TokenOption> robots)
-            throws PlanNetTooLargeException {
+    private void put(CaseArcs arcs, PlanNetFiring firing, List<TokenOption> robots) throws PlanNetTooLargeException {
         if (arcs.isImpossible() || !known.add(arcs.key())) {
             return;
         }

@@ -105,7 +105,8 @@ record FollowedRun(List<Integer> marking, List<Integer> left, int more, boolean 
         SortedMap<String, SortedMap<String, Integer>> seen = new TreeMap<>();
         engine.marking(mission)
                 .forEach((place, tokens) -> tokens.forEach(token -> {
-                    boolean isNamed = !(token instanceof Token.Generic || (net.isCounted() && token instanceof Token.Proxy));
+                    boolean isNamed =
+                            !(token instanceof Token.Generic || (net.isCounted() && token instanceof Token.Proxy));
                     seen.computeIfAbsent(place, p -> new TreeMap<>())
                             .merge(label(net, token, mission), 1, isNamed ? Math::max : Integer::sum);
                 }));

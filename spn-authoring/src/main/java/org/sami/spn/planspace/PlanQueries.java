@@ -103,9 +103,7 @@ public final class PlanQueries {
     /** All states up to an exchange of robots, as far as the budget goes; later queries are answered from them. Where tokens gather, up to how many there are. */
     public PlanFacts whole() {
         look(budget.states());
-        return saturated
-                .map(few -> PlanFacts.of(net, few))
-                .orElseGet(() -> PlanFacts.of(net, runner.whole()));
+        return saturated.map(few -> PlanFacts.of(net, few)).orElseGet(() -> PlanFacts.of(net, runner.whole()));
     }
 
     /** One search for all queries, as far as so many states. */

@@ -148,8 +148,7 @@ class PlanQueriesTest {
 
     @Test
     void tokensThatGatherAreNotCounted() throws PlanNetTooLargeException {
-        NetBuilder gathers = asked()
-                .places("kept")
+        NetBuilder gathers = asked().places("kept")
                 .end("b")
                 .transition("again", "Chosen")
                 .in("a", "again", "relevant all")

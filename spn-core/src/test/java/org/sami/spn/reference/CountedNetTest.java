@@ -52,8 +52,7 @@ class CountedNetTest {
     }
 
     private static Optional<Compared> compare(long seed, Project project) {
-        PlanNetRequest request =
-                new PlanNetRequest(project, TestVocabulary.TEST, "main", ROBOTS, 2, MOST_TRANSITIONS);
+        PlanNetRequest request = new PlanNetRequest(project, TestVocabulary.TEST, "main", ROBOTS, 2, MOST_TRANSITIONS);
         try {
             Optional<PlanNet> counted = PlanNet.counted(request);
             if (counted.isEmpty()) {
@@ -85,7 +84,9 @@ class CountedNetTest {
         }
         int last = few.states() - 1;
         PlanRun run = counted.run(few.runTo(last));
-        return markings(counted, few.marking(last)).equals(merged(counted, run.markings().get(run.markings().size() - 1)))
+        return markings(counted, few.marking(last))
+                        .equals(merged(
+                                counted, run.markings().get(run.markings().size() - 1)))
                 ? replayed(named, run)
                 : "the run to the last state ends elsewhere: " + run;
     }

@@ -80,8 +80,8 @@ public final class AnalyseAllCommand implements Callable<Integer> {
     @Option(
             names = "--states",
             paramLabel = "N",
-            description = "How many states of a net are looked at. Default: "
-                    + STANDARD_STATES + ", fewer in nets of more than 400 transitions, which may be 10000 at most.")
+            description = "How many states of a net are looked at. Default: " + STANDARD_STATES
+                    + ", fewer in nets of more than 200 transitions, of which there may be 10000 at most.")
     private int states;
 
     @Override
@@ -109,8 +109,11 @@ public final class AnalyseAllCommand implements Callable<Integer> {
         ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             SearchBudget budget = new SearchBudget(
-                    states > 0 ? states : STANDARD_STATES, Runtime.getRuntime().maxMemory() / 2, Duration.ofMillis(millis));
-            AnalysedPlans analysed = new AnalysedPlans(library, budget, states == 0, SearchProgress.watch(progress, stop));
+                    states > 0 ? states : STANDARD_STATES,
+                    Runtime.getRuntime().maxMemory() / 2,
+                    Duration.ofMillis(millis));
+            AnalysedPlans analysed =
+                    new AnalysedPlans(library, budget, states == 0, SearchProgress.watch(progress, stop));
             for (PlanSource source : sources) {
                 isRead &= source.project().isPresent();
                 if (source.project().isEmpty()) {

@@ -141,7 +141,12 @@ public final class AnalyseCommand implements Callable<Integer> {
 
     private int analysePlan(SearchBudget budget) throws IOException {
         Optional<PlanArgument> plan = PlanArgument.read(
-                name, domain, planOption.name(), boats, file != null, spec.commandLine().getErr());
+                name,
+                domain,
+                planOption.name(),
+                boats,
+                file != null,
+                spec.commandLine().getErr());
         if (plan.isEmpty()) {
             return ExitCode.FINDINGS;
         }

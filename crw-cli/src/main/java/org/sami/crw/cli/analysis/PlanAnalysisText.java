@@ -68,9 +68,7 @@ final class PlanAnalysisText {
                 !graph.isComplete()
                         ? "bounded search only: " + graph.end().words()
                         : "every state was looked at"
-                                + (gathering.isEmpty()
-                                        ? ""
-                                        : "; tokens gather, and are not counted, in " + gathering));
+                                + (gathering.isEmpty() ? "" : "; tokens gather, and are not counted, in " + gathering));
         SearchSpeed speed = SearchSpeed.of(graph);
         out.printf(
                 Locale.ROOT,
