@@ -36,7 +36,7 @@ final class AnswerText {
         }
         if (question instanceof Question.ChooseProxies choose
                 && choose.proxies().isEmpty()) {
-            return List.of("no boat is there to choose" + (choose.min() == 0 ? "; all stands for none" : ""));
+            return List.of("nobody is there to choose" + (choose.min() == 0 ? "; all stands for none" : ""));
         }
         if (question instanceof Question.ChooseProxies choose) {
             String count = choose.max() == Integer.MAX_VALUE

@@ -29,11 +29,13 @@ public final class Console implements AutoCloseable {
         new OperatorCommands(context).all().forEach(this::add);
         new SituationCommands(context).all().forEach(this::add);
         new MapCommands(context).all().forEach(this::add);
-        new BoatCommands(context).all().forEach(this::add);
+        new BoatCommands(context)
+                .all().stream().map(context.words()::aboutRobots).forEach(this::add);
         this.session.all().forEach(this::add);
     }
 
-    private void add(ConsoleCommand command) {
+    private void add(ConsoleCommand given) {
+        ConsoleCommand command = context.words().of(given);
         if (commands.put(command.name(), command) != null) {
             throw new IllegalStateException("two commands are called " + command.name());
         }
@@ -68,7 +70,7 @@ public final class Console implements AutoCloseable {
         try {
             List<String> words = CommandLineText.words(line);
             if (!words.isEmpty()) {
-                ConsoleCommand command = commands.get(words.get(0));
+                ConsoleCommand command = commands.get(context.words().typed(words.get(0)));
                 if (command == null) {
                     throw new ConsoleFault("there is no command '" + words.get(0) + "'"
                             + Suggestions.meant(commands.keySet(), words.get(0)) + "; 'help' lists them");
@@ -78,7 +80,7 @@ public final class Console implements AutoCloseable {
             }
         } catch (ConsoleFault fault) {
             faults++;
-            out.accept("crw: " + fault.getMessage());
+            out.accept("crw: " + context.words().say(String.valueOf(fault.getMessage())));
         }
     }
 
@@ -91,7 +93,7 @@ public final class Console implements AutoCloseable {
         if (before.isEmpty()) {
             return List.copyOf(commands.keySet());
         }
-        ConsoleCommand command = commands.get(before.get(0));
+        ConsoleCommand command = commands.get(context.words().typed(before.get(0)));
         if (command == null) {
             return List.of();
         }

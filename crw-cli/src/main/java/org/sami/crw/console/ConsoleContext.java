@@ -7,6 +7,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.MissionSnapshot;
@@ -27,6 +28,7 @@ final class ConsoleContext implements AutoCloseable {
 
     private final Session session;
     private final Vocabulary vocabulary;
+    private final ConsoleWords words;
     private final Object changed = new Object();
     private List<Registration> registrations = List.of();
     private volatile boolean ended;
@@ -34,6 +36,7 @@ final class ConsoleContext implements AutoCloseable {
     ConsoleContext(Session session) {
         this.session = Objects.requireNonNull(session, "session");
         vocabulary = session.setup().vocabulary();
+        words = new ConsoleWords(HandlerModules.robotsOf(vocabulary));
     }
 
     /** Begins to hear of changes; after those whose lines are to stand before what a wait's end allows. */
@@ -69,6 +72,11 @@ final class ConsoleContext implements AutoCloseable {
 
     Vocabulary vocabulary() {
         return vocabulary;
+    }
+
+    /** How the console speaks of the session's robots. */
+    ConsoleWords words() {
+        return words;
     }
 
     /** The newest project: that with which the session began, or the last that was loaded. */

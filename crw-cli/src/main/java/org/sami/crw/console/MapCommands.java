@@ -101,9 +101,10 @@ final class MapCommands {
         return word(state.layer()) + "  " + (state.on() ? ON : OFF) + why + whose;
     }
 
-    private static String count(MapSnapshot map) {
-        return map.boats().size() + " boats, " + map.paths().size() + " paths, "
-                + map.areas().size() + " areas, " + map.places().size() + " places";
+    private String count(MapSnapshot map) {
+        return map.boats().size() + " " + context.words().typed("boats") + ", "
+                + map.paths().size() + " paths, " + map.areas().size() + " areas, "
+                + map.places().size() + " places";
     }
 
     private static List<String> layerWords() {

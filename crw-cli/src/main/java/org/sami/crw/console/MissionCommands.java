@@ -172,7 +172,8 @@ final class MissionCommands {
         arguments.end();
         Optional<Long> mission = number(who);
         if (mission.isEmpty()) {
-            out.accept(context.await(context.session().fleet().why(who)).text());
+            out.accept(context.words()
+                    .say(context.await(context.session().fleet().why(who)).text()));
             return;
         }
         Optional<List<Wait>> waits = context.await(context.session()
@@ -224,7 +225,7 @@ final class MissionCommands {
             out.accept("no running mission offers an interrupt");
         }
         for (InterruptChoice choice : choices) {
-            String who = choice.asksForBoats() ? ", for boats" : "";
+            String who = choice.asksForBoats() ? ", for " + context.words().typed("boats") : "";
             String state = choice.isEnabled() ? "can be pressed" : choice.whyNot();
             out.accept(choice.name() + "  mission " + choice.mission() + who + ": " + state);
         }

@@ -29,6 +29,7 @@ import org.sami.spn.value.Value;
 /** Commands about the session itself: variables, waiting, help and the end. */
 final class SessionCommands {
     private static final double STANDARD_WAIT_S = 600;
+    private static final String BOATS = "boats";
 
     private final ConsoleContext context;
     private final Supplier<Collection<ConsoleCommand>> commands;
@@ -59,7 +60,12 @@ final class SessionCommands {
                         this::await,
                         words -> words.size() > 1
                                 ? List.of("within")
-                                : List.of("decision", "alarm", "ended", "tasks", "boats")),
+                                : List.of(
+                                        "decision",
+                                        "alarm",
+                                        "ended",
+                                        "tasks",
+                                        context.words().typed(BOATS))),
                 ConsoleCommand.of(
                         "on-fault [hold|stop]",
                         "Says, or sets, what boats of missions do while the engine or its journal does not work.",
@@ -151,8 +157,9 @@ final class SessionCommands {
     }
 
     private void await(Arguments arguments, Consumer<String> out) {
-        String what = arguments.next("occasion");
-        long count = what.equals("boats") ? arguments.number("number of boats") : 0;
+        String typed = arguments.next("occasion");
+        String what = typed.equals(context.words().typed(BOATS)) ? BOATS : typed;
+        long count = what.equals(BOATS) ? arguments.number("number of boats") : 0;
         double limit = STANDARD_WAIT_S;
         if (arguments.hasNext()) {
             String word = arguments.next("within");
@@ -168,7 +175,7 @@ final class SessionCommands {
             case "ended" -> this::noMissionRuns;
             case "tasks" ->
                 () -> !context.models().allocation().snapshot().queues().isEmpty();
-            case "boats" -> () -> ready() >= count;
+            case BOATS -> () -> ready() >= count;
             default -> null;
         };
         if (wanted == null) {

@@ -155,7 +155,7 @@ final class SituationCommands {
         arguments.end();
         List<BoatCommunication> boats = models().communication().snapshot();
         if (boats.isEmpty()) {
-            out.accept("there is no boat");
+            out.accept(context.words().say("there is no boat"));
         }
         long now = context.session().scheduler().nowMs();
         boats.forEach(boat -> out.accept(boat.boat() + "  " + lower(boat.status()) + "  link " + lower(boat.link())
@@ -227,7 +227,7 @@ final class SituationCommands {
             out.accept("nothing was done yet; actions and notes appear here");
         }
         entries.forEach(entry -> out.accept(entry.number() + "  " + Numbers.clock(entry.atMillis()) + "  "
-                + lower(entry.kind()).replace('_', ' ') + "  " + entry.text()
+                + context.words().say(lower(entry.kind())).replace('_', ' ') + "  " + entry.text()
                 + entry.position().map(at -> "  at " + text(at)).orElse("")));
     }
 

@@ -115,7 +115,7 @@ class AnswerTextTest {
     void formSaysHowToAnswer() {
         assertThat(answers.form(shown(BOATS))).containsExactly("1 to 2 of anna, bo, cleo, or all");
         assertThat(answers.form(shown(new Question.ChooseProxies(List.of(), 1, 2))))
-                .containsExactly("no boat is there to choose");
+                .containsExactly("nobody is there to choose");
         assertThat(answers.form(shown(OPTIONS)).get(1)).startsWith("2  ").contains("far");
         assertThat(answers.form(shown(FORM)))
                 .containsExactly(

@@ -39,6 +39,7 @@ final class CopterWords {
         put("driven", "flown");
         put("driving", "flying");
         put("Drive", "Fly");
+        put("Drives", "Flies");
         put("Driving", "Flying");
         put("boat", "copter");
         put("boats", "copters");

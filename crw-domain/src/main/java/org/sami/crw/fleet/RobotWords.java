@@ -25,6 +25,7 @@ final class RobotWords {
         put("driven", "moved");
         put("driving", "moving");
         put("Drive", "Move");
+        put("Drives", "Moves");
         put("Driving", "Moving");
         put("boat", "robot");
         put("boats", "robots");

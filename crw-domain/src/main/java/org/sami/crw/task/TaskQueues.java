@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
@@ -33,6 +34,7 @@ public final class TaskQueues implements HostListener {
 
     private final EngineHost host;
     private final ListenerList<TaskListener> listeners = new ListenerList<>();
+    private final StartNews starts = new StartNews();
     private volatile Map<String, TaskQueue> queues;
     private boolean compared;
 
@@ -87,6 +89,14 @@ public final class TaskQueues implements HostListener {
         return current;
     }
 
+    /**
+     * Takes the tasks of an activation whose start was posted before it and is processed after it: saying it once more would say it
+     * twice. Whoever answers the activation asks once.
+     */
+    public Set<TaskId> takeStartsUnderWay(long activation) {
+        return starts.takeUnderWay(activation);
+    }
+
     /** What marks a task as complete, so that its release is no news. */
     public static Input markComplete(TaskId task) {
         return complete(task, true);
@@ -105,6 +115,12 @@ public final class TaskQueues implements HostListener {
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        starts.processed(input);
+        follow(effects, view);
+        starts.activated(effects, view.vocabulary());
+    }
+
+    private void follow(List<Effect> effects, EngineView view) {
         if (compared && effects.stream().noneMatch(this::concernsTasks)) {
             return;
         }
@@ -137,6 +153,7 @@ public final class TaskQueues implements HostListener {
             listeners.each(listener -> listener.onNews(news, names));
             posted.addAll(occurrences(news, names, view));
         }
+        starts.posted(posted);
         host.post(posted);
     }
 

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.handler.EventCatalogue.Seen;
 import org.sami.crw.service.Geodesy;
+import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Token;
@@ -105,10 +106,29 @@ final class TaskEventCases {
                             1);
                     scene.post(new Input.AllocateTasks(boats("near", "boat-1", "far", "boat-1")));
                     assertThat(scene.marking(PlanScene.MISSION, "go")).isEmpty();
-                    scene.answer(new org.sami.spn.protocol.Answer.YesNo(true));
+                    scene.answer(new Answer.YesNo(true));
                     scene.untilTask("near", "go");
                     assertThat(scene.stands(task("far"), "refresh")).isTrue();
+                    startedOnceAtATime();
                 });
+    }
+
+    /** A boat that begins with the task just then, and one that has begun with it before. */
+    private static void startedOnceAtATime() {
+        PlanScene scene = new PlanScene(
+                tasks().asks("allot", "ApplyAllocation", "tasks", allocation("near", "boat-1"))
+                        .on("allot", "", "work", "any-token")
+                        .asks("work", "RefreshTasks")
+                        .on("work", "TaskStarted", "go")
+                        .asks("go", "OperatorApprove")
+                        .on("go", "YesOption", "allot", "any-token"),
+                1);
+        scene.untilTask("near", "go");
+        assertThat(scene.notes()).noneMatch(note -> note.contains("TaskStarted"));
+        scene.answer(new Answer.YesNo(true));
+        scene.untilTask("near", "go");
+        assertThat(scene.used("TaskStarted")).hasSize(2);
+        assertThat(scene.notes()).noneMatch(note -> note.contains("TaskStarted"));
     }
 
     private static void moving(EventCatalogue catalogue) {

@@ -10,7 +10,8 @@ import org.sami.crw.report.PairOfTracks.Track;
 
 /**
  * How near boats came to one another in a run, by their tracks: every two of them at equal times, as long as both were there. Between two
- * points a boat goes on a straight line at a steady speed.
+ * points a boat goes on a straight line at a steady speed. The difference of heights counts: a copter that flies 40 m over a boat is 40 m
+ * from it.
  *
  * @param ever the nearest of all; empty for fewer than two boats
  * @param underWay the nearest from the moment on at which both of the two had left where they began, by {@link #LEFT_M}: boats mostly

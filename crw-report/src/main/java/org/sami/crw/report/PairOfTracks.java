@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.boat.server.vehicle.PlaneMath;
 
-/** Two boats' tracks, gone along at equal times. While they are too far from one another to come near soon, time is leapt over. */
+/** Two boats' tracks, gone along at equal times; distances include the difference of their heights. While they are too far from one another to come near soon, time is leapt over. */
 final class PairOfTracks {
     private static final double ROUNDING_M = 1e-6;
 
@@ -23,7 +23,7 @@ final class PairOfTracks {
             for (int i = 1; i < points.size(); i++) {
                 TrackPoint from = points.get(i - 1);
                 TrackPoint to = points.get(i);
-                double metres = PlaneMath.length(to.eastM() - from.eastM(), to.northM() - from.northM());
+                double metres = metres(to.eastM() - from.eastM(), to.northM() - from.northM(), to.altM() - from.altM());
                 long millis = to.atMillis() - from.atMillis();
                 if (metres > 0) {
                     fastest = millis > 0 ? Math.max(fastest, metres / millis) : Double.POSITIVE_INFINITY;
@@ -70,15 +70,18 @@ final class PairOfTracks {
             double north = first.north(at) - second.north(at);
             double byEast = first.east(next) - second.east(next) - east;
             double byNorth = first.north(next) - second.north(next) - north;
-            double square = byEast * byEast + byNorth * byNorth;
-            double part = square > 0 ? Math.min(1, Math.max(0, -(east * byEast + north * byNorth) / square)) : 0;
-            double distance = PlaneMath.length(east + part * byEast, north + part * byNorth);
+            double up = first.up(at) - second.up(at);
+            double byUp = first.up(next) - second.up(next) - up;
+            double square = byEast * byEast + byNorth * byNorth + byUp * byUp;
+            double along = east * byEast + north * byNorth + up * byUp;
+            double part = square > 0 ? Math.min(1, Math.max(0, -along / square)) : 0;
+            double distance = metres(east + part * byEast, north + part * byNorth, up + part * byUp);
             if (distance < least) {
                 least = distance;
                 leastAt = at + part * (next - at);
             }
             // at the end of the leg
-            double farM = PlaneMath.length(east + byEast, north + byNorth) - least - ROUNDING_M;
+            double farM = metres(east + byEast, north + byNorth, up + byUp) - least - ROUNDING_M;
             long soonest = farM > 0 ? next + (long) Math.min((double) (end - next), farM / closingMPerMs) : next;
             if (soonest >= end) {
                 break;
@@ -108,20 +111,23 @@ final class PairOfTracks {
             double north = first.north(at) - second.north(at);
             double byEast = first.east(next) - second.east(next) - east;
             double byNorth = first.north(next) - second.north(next) - north;
-            millis += partWithin(metres, east, north, byEast, byNorth) * (next - at);
+            double up = first.up(at) - second.up(at);
+            double byUp = first.up(next) - second.up(next) - up;
+            millis += partWithin(metres, new double[] {east, north, up}, new double[] {byEast, byNorth, byUp})
+                    * (next - at);
             at = next;
         }
         return millis;
     }
 
     /** Which part of a straight way from a place lies nearer to the origin than so far: 0 to 1. */
-    private static double partWithin(double metres, double east, double north, double byEast, double byNorth) {
-        double square = byEast * byEast + byNorth * byNorth;
-        double outside = east * east + north * north - metres * metres;
+    private static double partWithin(double metres, double[] apart, double[] by) {
+        double square = product(by, by);
+        double outside = product(apart, apart) - metres * metres;
         if (square == 0) {
             return outside < 0 ? 1 : 0;
         }
-        double half = (east * byEast + north * byNorth) / square;
+        double half = product(apart, by) / square;
         double root = half * half - outside / square;
         if (root <= 0) {
             return 0;
@@ -129,6 +135,14 @@ final class PairOfTracks {
         double from = Math.max(0, -half - Math.sqrt(root));
         double to = Math.min(1, -half + Math.sqrt(root));
         return Math.max(0, to - from);
+    }
+
+    private static double product(double[] one, double[] other) {
+        return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
+    }
+
+    private static double metres(double east, double north, double up) {
+        return up == 0 ? PlaneMath.length(east, north) : PlaneMath.length(PlaneMath.length(east, north), up);
     }
 
     private Approach approach(long atMillis, double distanceM) {
@@ -203,6 +217,10 @@ final class PairOfTracks {
             return between(atMillis, from().northM(), to().northM());
         }
 
+        double up(long atMillis) {
+            return between(atMillis, from().altM(), to().altM());
+        }
+
         TrackPoint at(long atMillis) {
             goTo(atMillis);
             double lonTurnDeg = Math.IEEEremainder(to().lonDeg() - from().lonDeg(), 360);
@@ -213,7 +231,8 @@ final class PairOfTracks {
                     between(atMillis, from().latDeg(), to().latDeg()),
                     between(atMillis, from().lonDeg(), from().lonDeg() + lonTurnDeg),
                     from().speedMps(),
-                    from().batteryPercent());
+                    from().batteryPercent(),
+                    up(atMillis));
         }
 
         private TrackPoint from() {

@@ -85,7 +85,10 @@ public final class ReportText {
     /** What boats reported, and under it, where that is known, where they truly were. */
     private static void visits(StringBuilder text, RunReport report) {
         int count = report.locations().size();
-        String told = count == 0 ? "" : report.header().robots().say(", as boats reported");
+        if (count == 0) {
+            return; // a mission of tasks or areas, not of locations
+        }
+        String told = report.header().robots().say(", as boats reported");
         line(text, "  %-20s%d of %d%s", "locations visited", report.locationsReported(), count, told);
         List<Truth> truths = report.locations().stream()
                 .flatMap(location -> location.truth().stream())

@@ -60,6 +60,26 @@ class ClosestApproachTest {
     }
 
     @Test
+    void heightsCountBetweenCoptersAndOverBoats() {
+        BoatResult boat = boat("boat", at(0, 0, -100), at(100_000, 0, 100));
+        BoatResult over = boat("over", flown(0, -97, 40), flown(100_000, 103, 40));
+        BoatResult landing = boat("landing", flown(0, 6, 40), flown(10_000, 6, 0), flown(100_000, 6, 0));
+
+        assertThat(ClosestApproach.of(List.of(boat, over)).ever().orElseThrow().distanceM())
+                .isCloseTo(Math.hypot(40, 3 / Math.sqrt(2)), within(1e-9));
+        assertThat(ClosestApproach.of(List.of(boat, over)).near()).isEmpty();
+        assertThat(ClosestApproach.of(List.of(boat, landing))
+                        .ever()
+                        .orElseThrow()
+                        .distanceM())
+                .isCloseTo(6, within(1e-9));
+        assertThat(ClosestApproach.of(List.of(landing, boat("under", at(0, 6, 0), at(10_000, 6, 0))))
+                        .nearMillis())
+                .as("the last 3 m of the descent, at 4 m/s")
+                .isEqualTo(750);
+    }
+
+    @Test
     void boatsThatUseOnePlaceAtDifferentTimesAreNotNear() {
         BoatResult first = boat("first", at(0, 0, 0), at(10_000, 10, 0), at(20_000, 110, 0));
         BoatResult second = boat("second", at(0, 0, 200), at(10_000, 0, 200), at(20_000, 0, 0));
@@ -160,6 +180,10 @@ class ClosestApproachTest {
 
     private static BoatResult boat(String id, TrackPoint... track) {
         return new BoatResult(id, LINK, 0, 100, 0, 0, List.of(track));
+    }
+
+    private static TrackPoint flown(long millis, double eastM, double altM) {
+        return new TrackPoint(millis, eastM, 0, 45, 10 + eastM * 1e-5, 1, 100, altM);
     }
 
     private static TrackPoint at(long millis, double eastM, double northM) {

@@ -100,6 +100,7 @@ class ScoutAndSampleRunTest {
         assertThat(report.tasks())
                 .hasSize((int) confirmed)
                 .allMatch(task -> task.completedAtMillis().isPresent());
+        assertThat(report.notes()).extracting(NoteResult::message).noneMatch(text -> text.contains("TaskStarted"));
         for (TaskResult task : report.tasks()) {
             TaskResult.Place at = task.location().orElseThrow();
             GeoPoint target = GeoPoint.of(at.latDeg(), at.lonDeg());

@@ -69,11 +69,10 @@ public final class ProgressDisplay implements Consumer<RunProgress> {
     static String words(RunProgress progress) {
         return String.format(
                 Locale.ROOT,
-                "%s  %s  visited %d/%d  firings %d  open decisions %d  least battery %.0f %%",
+                "%s  %s%s  firings %d  open decisions %d  least battery %.0f %%",
                 ReportWords.duration(progress.simulatedMillis()),
                 progress.phase(),
-                progress.visited(),
-                progress.locations(),
+                progress.locations() == 0 ? "" : "  visited " + progress.visited() + "/" + progress.locations(),
                 progress.firings(),
                 progress.openDecisions(),
                 progress.leastBatteryPercent());

@@ -44,7 +44,8 @@ final class RunBoats {
                 boat.report().speedMps(),
                 boat.report().batteryPercent(),
                 boat.distanceM(),
-                boat.recharges());
+                boat.recharges(),
+                boat.report().position().altM());
     }
 
     /** How a boat's link went. */

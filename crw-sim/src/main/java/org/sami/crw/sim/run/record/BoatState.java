@@ -9,6 +9,7 @@ import java.util.Objects;
  * @param northM metres north of the area's centre
  * @param batteryPercent charge left, 0 to 100
  * @param distanceM metres driven since the start
+ * @param altM metres above the place of the take-off; 0 for what does not fly
  */
 public record BoatState(
         String id,
@@ -19,7 +20,8 @@ public record BoatState(
         double speedMps,
         double batteryPercent,
         double distanceM,
-        int recharges) {
+        int recharges,
+        double altM) {
     public BoatState {
         Objects.requireNonNull(id, "id");
     }

@@ -146,7 +146,8 @@ public final class TrackRecorder implements ReportFold {
     }
 
     private static double moved(TrackPoint from, BoatState to) {
-        return PlaneMath.length(to.eastM() - from.eastM(), to.northM() - from.northM());
+        return PlaneMath.length(
+                PlaneMath.length(to.eastM() - from.eastM(), to.northM() - from.northM()), to.altM() - from.altM());
     }
 
     private static TrackPoint point(long nowMillis, BoatState boat) {
@@ -157,7 +158,8 @@ public final class TrackRecorder implements ReportFold {
                 boat.latDeg(),
                 boat.lonDeg(),
                 boat.speedMps(),
-                boat.batteryPercent());
+                boat.batteryPercent(),
+                boat.altM());
     }
 
     /**

@@ -52,7 +52,9 @@ final class TrackThinning {
             double part = (double) (point.atMillis() - from.atMillis()) / Math.max(1, to.atMillis() - from.atMillis());
             double east = from.eastM() + part * (to.eastM() - from.eastM());
             double north = from.northM() + part * (to.northM() - from.northM());
-            double off = PlaneMath.length(point.eastM() - east, point.northM() - north);
+            double up = from.altM() + part * (to.altM() - from.altM());
+            double off =
+                    PlaneMath.length(PlaneMath.length(point.eastM() - east, point.northM() - north), point.altM() - up);
             if (off > most) {
                 most = off;
                 farthest = i;

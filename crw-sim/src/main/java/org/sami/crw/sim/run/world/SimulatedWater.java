@@ -133,7 +133,8 @@ public final class SimulatedWater {
                 boat.hull().speedMps(),
                 boat.batteryPercent(),
                 boat.distanceM(),
-                boat.recharges());
+                boat.recharges(),
+                position.altM());
     }
 
     /** A short hash of the true positions and batteries, to the last bit: what a world is compared by. */

@@ -126,6 +126,6 @@ class TrackRecorderTest {
     }
 
     private static BoatState boat(String id, double eastM) {
-        return new BoatState(id, eastM, 0, 45, 10 + eastM * 1e-5, 1, 90, eastM, 0);
+        return new BoatState(id, eastM, 0, 45, 10 + eastM * 1e-5, 1, 90, eastM, 0, 0);
     }
 }

@@ -127,6 +127,6 @@ class TrueVisitsTest {
     }
 
     private static List<BoatState> at(double eastM, double northM) {
-        return List.of(new BoatState("anna", eastM, northM, 45, 10, 1, 100, 0, 0));
+        return List.of(new BoatState("anna", eastM, northM, 45, 10, 1, 100, 0, 0, 0));
     }
 }

@@ -1,0 +1,68 @@
+package org.sami.crw.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringReader;
+import java.io.StringWriter;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionSetup;
+import org.sami.spn.json.DomainLibrary;
+
+/** The console of a domain that commands no boats. */
+class ConsoleWordsTest {
+    private static final String SCRIPT = """
+            copters
+            comm
+            wait copters 1 within 0
+            why nobody
+            drop nobody
+            add kite 45.7,10.72 1000
+            map
+            help
+            help stop
+            interrupts
+            press nothing
+            wait something
+            on-fault wait
+            log
+            stop all
+            release all
+            help copters
+            """;
+
+    private static String said(String domain, String script) throws IOException {
+        DomainLibrary library = DomainLibrary.fromClassPath(domain).orThrow();
+        StringWriter out = new StringWriter();
+        try (Session session = Session.open(SessionSetup.of(library.vocabulary(), library.combined()));
+                Console console = new Console(session);
+                PlainLines lines = new PlainLines("script", new StringReader(script), new PrintWriter(out))) {
+            session.begin();
+            console.run(lines);
+        }
+        return out.toString();
+    }
+
+    @Test
+    void consoleOfCoptersHasNoBoats() throws IOException {
+        String said = said("/org/sami/domain/uav", SCRIPT);
+
+        assertThat(said.toLowerCase(Locale.ROOT)).doesNotContain("boat");
+        assertThat(said)
+                .contains("there is no copter")
+                .contains("stop COPTER|all")
+                .contains("Lists the copters, how they are and what they do.");
+    }
+
+    @Test
+    void consoleOfATeamSpeaksOfRobotsAndTakesBoatsToo() throws IOException {
+        String said = said("/org/sami/domain/team", "robots\nboats\nhelp robots\n");
+
+        assertThat(said.split("there is no robot; connect one with: connect HOST:PORT", -1))
+                .hasSize(3);
+        assertThat(said).contains("Lists the robots, how they are and what they do.");
+    }
+}
