@@ -17,6 +17,7 @@ public final class Telemetry extends LinkMessage {
     private final BoatMode mode;
     private final long boatTimeMs;
     private final OptionalDouble altM;
+    private final String givesWayTo;
 
     /** Makes a boat's message of checked values; a value out of its range is an {@link IllegalArgumentException}. */
     public Telemetry(
@@ -44,6 +45,25 @@ public final class Telemetry extends LinkMessage {
             BoatMode mode,
             long boatTimeMs,
             OptionalDouble altM) {
+        this(latDeg, lonDeg, headingRad, speedMps, batteryPercent, mode, boatTimeMs, altM, "");
+    }
+
+    /**
+     * Makes a message of checked values; a value out of its range is an {@link IllegalArgumentException}.
+     *
+     * @param altM metres above the place of the take-off; empty for what does not fly
+     * @param givesWayTo name of the boat to which it gives way on its path; empty text for none
+     */
+    public Telemetry(
+            double latDeg,
+            double lonDeg,
+            double headingRad,
+            double speedMps,
+            double batteryPercent,
+            BoatMode mode,
+            long boatTimeMs,
+            OptionalDouble altM,
+            String givesWayTo) {
         this.latDeg = Checks.latitude(latDeg);
         this.lonDeg = Checks.longitude(lonDeg);
         this.headingRad = Checks.range("heading", headingRad, -7, 7);
@@ -52,6 +72,7 @@ public final class Telemetry extends LinkMessage {
         this.mode = Objects.requireNonNull(mode, "mode");
         this.boatTimeMs = Checks.atLeastZero("time", boatTimeMs);
         this.altM = altM.isPresent() ? OptionalDouble.of(Checks.altitude(altM.getAsDouble())) : altM;
+        this.givesWayTo = Checks.optionalName("givesWay", givesWayTo);
     }
 
     static Telemetry read(Fields in) throws LinkException {
@@ -63,7 +84,8 @@ public final class Telemetry extends LinkMessage {
                 in.number("battery"),
                 in.word("mode", BoatMode.class),
                 in.integer("time"),
-                in.has("alt") ? OptionalDouble.of(in.number("alt")) : OptionalDouble.empty());
+                in.has("alt") ? OptionalDouble.of(in.number("alt")) : OptionalDouble.empty(),
+                in.textOrEmpty("givesWay"));
     }
 
     /** WGS 84 latitude in degrees. */
@@ -106,6 +128,11 @@ public final class Telemetry extends LinkMessage {
         return altM;
     }
 
+    /** Name of the boat to which this one gives way on its path; empty text where it gives way to none, or does not say so. */
+    public String givesWayTo() {
+        return givesWayTo;
+    }
+
     @Override
     public String type() {
         return TYPE;
@@ -122,6 +149,9 @@ public final class Telemetry extends LinkMessage {
         out.writeNumberField("time", boatTimeMs);
         if (altM.isPresent()) {
             out.writeNumberField("alt", altM.getAsDouble());
+        }
+        if (!givesWayTo.isEmpty()) {
+            out.writeStringField("givesWay", givesWayTo);
         }
     }
 }

@@ -61,6 +61,7 @@ class RoundTripTest {
                 new SetVelocityMultiplier("c", 0.5),
                 new SetLostLinkAction("c", LostLinkAction.DRIFT),
                 new Telemetry(45.41234567890123, 10.9, -3.1, -0.2, 99.5, BoatMode.RETURN, 12),
+                new Telemetry(45.4, 10.9, 0, 1.5, 99, BoatMode.PATH, 12, OptionalDouble.of(4), "bert"),
                 new Motion(45.41234567890123, -10.9, 3.1, -0.2, BoatMode.PATH),
                 new Traffic(List.of(
                         new NearbyBoat("boat2", 45.4, 10.9, -3.1, 1.5, BoatMode.PATH, 240, 45.41, -180),

@@ -63,6 +63,9 @@ final class BoatCondition {
     /** Where the boat returns to when its link is lost; empty for one that has not said, as older ones do not. */
     Optional<GeoPoint> home = Optional.empty();
 
+    /** The boat to which it says that it gives way; empty for none. */
+    Optional<String> givesWayTo = Optional.empty();
+
     /** How the boat is carried over ground while it does not drive. */
     final DriftTrack drift = new DriftTrack();
 

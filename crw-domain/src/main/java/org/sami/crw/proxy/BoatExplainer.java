@@ -148,7 +148,7 @@ final class BoatExplainer {
                     false,
                     Cause.NO_PROGRESS,
                     boatId + " does not get on: " + stuck.get().words() + "; it is to " + command.infinitive() + visited
-                            + waiting());
+                            + givesWay(Cause.UNDER_WAY) + waiting());
         }
         Cause cause = run.isDriving() ? Cause.UNDER_WAY : causeOf(run);
         String state = ": " + run.state() + visited;
@@ -160,7 +160,14 @@ final class BoatExplainer {
             case UNDER_WAY -> run instanceof StationRun ? "is to " + command.infinitive() : command.does();
             default -> "waits to " + command.infinitive();
         };
-        return new BoatExplanation(run.isDriving(), cause, boatId + " " + does + state + sends() + waiting());
+        return new BoatExplanation(
+                run.isDriving(), cause, boatId + " " + does + state + givesWay(cause) + sends() + waiting());
+    }
+
+    private String givesWay(Cause cause) {
+        return cause == Cause.UNDER_WAY
+                ? condition.givesWayTo.map(other -> ", gives way to " + other).orElse("")
+                : "";
     }
 
     /** Nobody wants anything of it; what it last did says why it holds its place. */

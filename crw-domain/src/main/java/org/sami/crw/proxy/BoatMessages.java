@@ -161,6 +161,7 @@ final class BoatMessages {
     private void telemetry(Telemetry telemetry) {
         seen(telemetry.latDeg(), telemetry.lonDeg(), telemetry.headingRad(), telemetry.speedMps(), telemetry.mode());
         condition.flies = telemetry.altM().isPresent();
+        condition.givesWayTo = Optional.of(telemetry.givesWayTo()).filter(other -> !other.isEmpty());
         BoatPose pose = new BoatPose(
                 new GeoPoint(
                         telemetry.latDeg(), telemetry.lonDeg(), telemetry.altM().orElse(0)),

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BatteryLevel;
@@ -79,6 +80,22 @@ class ExplainTest {
 
         assertThat(boat.proxy.explain().text())
                 .isEqualTo("boat1 returns to its home, as its link was lost: no mission wants anything of it");
+    }
+
+    @Test
+    void boatThatGivesWayOnItsPathSaysToWhom() {
+        boat.says(new Welcome("boat1", "b1", Role.COMMANDER, ""));
+        boat.says(new Progress("", 0, false));
+        boat.proxy.commands().submit(path("c", 1, Priority.MEDIUM));
+        boat.setsOut();
+        boat.says(givingWay("bert"));
+        assertWhy(Cause.UNDER_WAY, "0 of 2 points visited, gives way to bert");
+        boat.says(givingWay(""));
+        assertThat(boat.proxy.explain().text()).doesNotContain("gives way");
+    }
+
+    private static Telemetry givingWay(String to) {
+        return new Telemetry(45, 10, 0, 1.5, 90, BoatMode.PATH, 1, OptionalDouble.empty(), to);
     }
 
     @Test

@@ -158,6 +158,11 @@ final class AutopilotCommands {
         return aside.isNearOthers(at);
     }
 
+    /** The boat to which it gives way now; empty text for none. */
+    String givesWayTo() {
+        return aside.toWhom();
+    }
+
     private void giveUpDelayed() {
         List<Delayed> given = List.copyOf(afterStop);
         afterStop.clear();

@@ -90,11 +90,16 @@ final class StepAside {
             goOn(target);
         } else if (nowMs - beganMs >= LONG_MS && !isLong) {
             isLong = true;
-            alarm.accept(name + " has given way" + toWhom() + " for " + LONG_MS / 1000 + " s");
+            alarm.accept(name + " has given way" + words() + " for " + LONG_MS / 1000 + " s");
         }
     }
 
-    private String toWhom() {
+    /** The boat to which the vehicle gives way now; empty text for none. */
+    String toWhom() {
+        return motion.isAside() ? rule.nearest(nowMs).orElse("") : "";
+    }
+
+    private String words() {
         return rule.nearest(nowMs).map(other -> " to " + other).orElse("");
     }
 
@@ -104,7 +109,7 @@ final class StepAside {
         motion.stepAside(
                 why -> why.filter(words -> !words.equals(VehiclePilot.VOID)).ifPresent(words -> {
                     tryFromMs = nowMs + RETRY_MS;
-                    alarm.accept(name + " cannot give way" + toWhom() + ": " + words);
+                    alarm.accept(name + " cannot give way" + words() + ": " + words);
                 }));
     }
 

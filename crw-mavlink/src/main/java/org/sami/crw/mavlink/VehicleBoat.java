@@ -238,13 +238,14 @@ final class VehicleBoat implements BaseSession.Boat {
                 .filter(at -> at.heardMs() > positionMs)
                 .isPresent(); // an old position is not repeated as a new one
         if (moved && atMs - saidMs >= told.telemetryPeriodMs() - TICK_MS) {
-            VehicleReports.telemetry(vehicle, orders.mode(), Math.max(0, atMs)).ifPresent(telemetry -> {
-                saidMs = atMs;
-                positionMs = vehicle.position().orElseThrow().heardMs();
-                heardMs = vehicle.heardMs();
-                beatMs = atMs;
-                told.say(telemetry);
-            });
+            VehicleReports.telemetry(vehicle, orders.mode(), orders.givesWayTo(), Math.max(0, atMs))
+                    .ifPresent(telemetry -> {
+                        saidMs = atMs;
+                        positionMs = vehicle.position().orElseThrow().heardMs();
+                        heardMs = vehicle.heardMs();
+                        beatMs = atMs;
+                        told.say(telemetry);
+                    });
         }
         reportMotion(told);
         if (news && atMs - beatMs >= HEARTBEAT_MS) {

@@ -24,8 +24,12 @@ final class VehicleReports {
 
     private VehicleReports() {}
 
-    /** Where it is and how it moves; none as long as it says no position that can be trusted. */
-    static Optional<Telemetry> telemetry(VehicleSnapshot vehicle, BoatMode mode, long nowMs) {
+    /**
+     * Where it is and how it moves; none as long as it says no position that can be trusted.
+     *
+     * @param givesWayTo the boat to which it gives way; empty text for none
+     */
+    static Optional<Telemetry> telemetry(VehicleSnapshot vehicle, BoatMode mode, String givesWayTo, long nowMs) {
         return place(vehicle)
                 .map(at -> new Telemetry(
                         at.latDeg(),
@@ -35,7 +39,8 @@ final class VehicleReports {
                         percent(vehicle).orElse(FULL), // read only where a battery report has come
                         mode,
                         nowMs,
-                        altitude(vehicle, at)));
+                        altitude(vehicle, at),
+                        givesWayTo));
     }
 
     /** Its altitude in metres over where it was armed, 0 on the ground; none of what does not fly. */

@@ -80,6 +80,10 @@ class StepAsideTest {
         });
     }
 
+    private String givesWayTo() {
+        return client.last(Telemetry.class).map(Telemetry::givesWayTo).orElse("");
+    }
+
     private void stepsAside() {
         whileABoatLiesAhead(
                 "it is steered", () -> boat.mode() == GUIDED && !boat.courses().isEmpty());
@@ -89,11 +93,13 @@ class StepAsideTest {
     void isSteeredAroundABoatAndThenGoesOnAlongItsMission() {
         stepsAside();
         whileABoatLiesAhead("it is still its base's", () -> boat.courses().size() > 5);
+        whileABoatLiesAhead("it says to whom it gives way", () -> givesWayTo().equals("anna"));
         assertThat(client.last(Telemetry.class).orElseThrow().mode()).isEqualTo(BoatMode.PATH);
 
         Await.until("it goes on", WAIT_S, () -> boat.mode() == AUTO); // nothing is said of the other any longer
 
         assertThat(client.isObserver()).isFalse();
+        Await.until("it gives way to nobody", WAIT_S, () -> givesWayTo().isEmpty());
         assertThat(boat.uploads()).isEqualTo(1);
         assertThat(client.last(Progress.class).orElseThrow().nextIndex()).isZero();
     }

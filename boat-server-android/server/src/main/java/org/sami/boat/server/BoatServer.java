@@ -486,6 +486,7 @@ public final class BoatServer {
                 vehicle.batteryPercent(),
                 modes.mode(),
                 nowMs,
-                vehicle.altM());
+                vehicle.altM(),
+                modes.givesWayTo(nowMs));
     }
 }

@@ -21,6 +21,7 @@ final class ModeControl {
     private final Vehicle vehicle;
     private final SteeringControl steering;
     private final Surroundings surroundings;
+    private final GivingWay givingWay;
     private final PathDrive path;
     private final StationKeeper station;
     private final HomewardDrive homeward;
@@ -35,7 +36,7 @@ final class ModeControl {
         surroundings = new Surroundings(config.boatId());
         double positionErrorM =
                 config.trackingError().map(TrackingError::positionM).orElse(0.0);
-        GivingWay givingWay = new GivingWay(surroundings, vehicle, positionErrorM);
+        givingWay = new GivingWay(surroundings, vehicle, positionErrorM);
         PathFollower follower = new PathFollower(vehicle, steering, givingWay, config.arrivalRadiusM());
         LocalFrame home = config.home().orElseGet(this::here);
         WaysHome waysHome = new WaysHome(home);
@@ -58,6 +59,16 @@ final class ModeControl {
     /** The boats near this one. */
     Surroundings surroundings() {
         return surroundings;
+    }
+
+    /** The boat to which it gives way on a path or on its way home; empty text for none. */
+    String givesWayTo(long nowMs) {
+        boolean drives = mode == BoatMode.PATH || mode == BoatMode.RETURN;
+        return drives && givingWay.isGivingWay()
+                ? surroundings
+                        .nearest(vehicle.latDeg(), vehicle.lonDeg(), nowMs)
+                        .orElse("")
+                : "";
     }
 
     SteeringControl steering() {

@@ -17,6 +17,7 @@ import org.sami.boat.link.NoGoEdge;
 import org.sami.boat.link.NoGoEdges;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
@@ -67,6 +68,12 @@ class TrafficTest {
         bench.run(0.2, commander);
 
         assertThat(isGivingWay()).isTrue();
+        commander.say(traffic(boat("boat2", 0, 5, 0)));
+        bench.run(1, commander);
+        assertThat(commander.all(Telemetry.class))
+                .extracting(Telemetry::givesWayTo)
+                .startsWith("")
+                .contains("boat2");
     }
 
     @Test
