@@ -3,14 +3,15 @@ package org.sami.crw.mavlink;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.boat.link.Traffic;
+import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.traffic.CourseAndSpeed;
 import org.sami.mavlink.command.GuidedCourse;
 import org.sami.mavlink.vehicle.VehiclePosition;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
- * Steers a vehicle that is under way around other boats, in mode GUIDED by heading and speed, and lets it go on along its mission once nobody is in the way. Only a
- * vehicle that follows an order of the base is steered. For the gateway's thread.
+ * Steers a vehicle that is under way around other boats, in mode GUIDED by heading and speed, and lets it go on along its mission once nobody is in the way; has one at
+ * the end of its path make room. Only a vehicle that follows an order of the base is steered. For the gateway's thread.
  */
 final class StepAside {
     private static final long FREE_MS = 1_000; // for so long nobody is in the way before it goes on by itself
@@ -62,8 +63,28 @@ final class StepAside {
                 .filter(known -> vehicle.located() && known.headingDeg().isPresent());
         if (target.isEmpty() || at.isEmpty() || !motion.isHeard()) { // ArduPilot stops where nobody steers it for 3 s
             rule.rest(atMs);
+            makeRoom(at);
         } else {
+            rule.leaveStation();
             steer(at.get(), target.get());
+        }
+    }
+
+    /** A vehicle at the end of its path moves aside for one that has to come by. */
+    private void makeRoom(Optional<VehiclePosition> at) {
+        Optional<Waypoint> end = paths.end();
+        if (end.isEmpty()) {
+            rule.leaveStation();
+        } else if (at.isPresent() && motion.isHeard() && !motion.isBusy() && nowMs >= tryFromMs) {
+            VehicleStation station = rule.station(at.get(), nowMs);
+            station.next(end.get(), nowMs).ifPresent(place -> {
+                tryFromMs = nowMs + RETRY_MS;
+                motion.move(place, why -> {
+                    if (why.isEmpty()) {
+                        station.sentTo(place);
+                    }
+                });
+            });
         }
     }
 

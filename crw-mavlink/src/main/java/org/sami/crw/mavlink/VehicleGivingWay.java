@@ -36,6 +36,7 @@ final class VehicleGivingWay {
     private final Surroundings surroundings;
     private final Motion motion = new Motion();
     private final GivingWay rule;
+    private final VehicleStation station;
     private Optional<Leg> leg = Optional.empty();
     private long chosenMs;
     private CourseAndSpeed chosen = new CourseAndSpeed(0, 0);
@@ -87,6 +88,7 @@ final class VehicleGivingWay {
     VehicleGivingWay(String boatId) {
         surroundings = new Surroundings(boatId);
         rule = new GivingWay(surroundings, motion, POSITION_ERROR_M, TURNING_MPS);
+        station = new VehicleStation(surroundings, motion, POSITION_ERROR_M);
     }
 
     /** The base says who is near. */
@@ -99,6 +101,17 @@ final class VehicleGivingWay {
         surroundings.tick(nowMs);
         leg = Optional.empty();
         chosenMs = nowMs;
+    }
+
+    /** Makes room at the end of its path, by {@link VehicleStation#next}; after {@link #rest}. */
+    VehicleStation station(VehiclePosition at, long nowMs) {
+        motion.set(at, false, nowMs);
+        return station;
+    }
+
+    /** It does not lie at the end of its path. */
+    void leaveStation() {
+        station.leave();
     }
 
     /**

@@ -292,6 +292,16 @@ class VehicleMotion {
                 Optional.empty()); // with a speed ArduPilot refuses it
     }
 
+    /** Moves to a place near the end of its path, where it keeps its place; where the vehicle refuses, it stays as it was. */
+    void move(Waypoint place, Consumer<Optional<String>> ended) {
+        VehiclePilot.Order order = pilot.change(ended);
+        order.mode(
+                GUIDED,
+                true,
+                () -> order.command(
+                        base.command(id, reposition(place)), () -> goes(order, place.speedMps(), () -> {})));
+    }
+
     /** Sticks of a person, -1 to 1; in force until the next ones, at most for the dead man's time. */
     void steer(double thrust, double rudder) {
         boolean begins = hand.isEmpty();

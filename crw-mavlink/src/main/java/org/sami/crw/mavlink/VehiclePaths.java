@@ -168,6 +168,19 @@ final class VehiclePaths {
                         held.next() == held.waypoints().size() - 1));
     }
 
+    /** The end of its path, where it lies by order of the base; empty where it does not, and for copters. */
+    Optional<Waypoint> end() {
+        boolean isKept = motion.vehicle().armed()
+                && !motion.isAside()
+                && (motion.isGuided() || (isInAuto() && motion.isOrdered()));
+        return list.filter(held -> isKept
+                        && !motion.flies()
+                        && held.isCompleted()
+                        && !held.waypoints().isEmpty()
+                        && (!isMission(held) || motion.isGuided() || store.holds(list)))
+                .map(held -> held.waypoints().get(held.waypoints().size() - 1));
+    }
+
     /** It has come to its target while it gives way. Whether it can go on to the next one without its autopilot. */
     boolean passes(VehicleTarget target) {
         boolean passes = !target.isLast() && list.orElseThrow().has(target.index() + 1);

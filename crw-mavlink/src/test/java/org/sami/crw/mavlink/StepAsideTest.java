@@ -152,6 +152,31 @@ class StepAsideTest {
         assertThat(client.isObserver()).isFalse();
     }
 
+    /** The other one is to come to where it lies at the end of its path. */
+    @Test
+    void makesRoomAtTheEndOfItsPathAndIsStillItsBases() throws Exception {
+        Waypoint end = east(8);
+        assertThat(client.ask(new UploadWaypoints("short", "short", List.of(east(4), end))))
+                .isInstanceOf(Ack.class);
+        assertThat(client.ask(new StartWaypoints("go", "short", 0))).isInstanceOf(Ack.class);
+        Await.until(
+                "it is at the end of its path",
+                WAIT_S,
+                () -> client.last(Progress.class)
+                        .filter(progress -> progress.listId().equals("short") && progress.completed())
+                        .isPresent());
+
+        Waypoint from = east(20);
+        Await.until("it has made room", WAIT_S, () -> {
+            client.say(new Traffic(List.of(new NearbyBoat(
+                    "anna", from.latDeg(), from.lonDeg(), -1.57, 0.5, BoatMode.PATH, 0, end.latDeg(), end.lonDeg()))));
+            return boat.mode() == GUIDED && boat.metresTo(end.latDeg(), end.lonDeg()) > 5;
+        });
+
+        assertThat(client.last(Telemetry.class).orElseThrow().mode()).isEqualTo(BoatMode.HOLD);
+        assertThat(client.isObserver()).isFalse();
+    }
+
     @Test
     void goesOnAlongItsMissionWhereItCannotBeSteered() {
         boat.refuseMode(GUIDED);

@@ -1,9 +1,9 @@
 package org.sami.boat.server.traffic;
 
 import java.util.Optional;
+import org.sami.boat.server.vehicle.Kinematics;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
-import org.sami.boat.server.vehicle.Vehicle;
 
 /**
  * Makes a boat that keeps a station give way: finds a place within its circle to which it moves aside, so that another boat reaches the point where
@@ -17,9 +17,10 @@ public final class StationGivingWay {
     private static final int SIDES = 24;
 
     private final Surroundings surroundings;
-    private final Vehicle vehicle;
+    private final Kinematics vehicle;
     private final double radiusM;
     private final double apartM;
+    private final double marginM; // kept in addition from where others pass
     private Optional<String> takenBy = Optional.empty(); // the boat on the station
 
     /**
@@ -28,11 +29,24 @@ public final class StationGivingWay {
      * @param radiusM how far from its station the boat may lie, in metres
      * @param positionErrorM standard deviation of positions along each axis, the boat's own and those of others, in metres
      */
-    public StationGivingWay(Surroundings surroundings, Vehicle vehicle, double radiusM, double positionErrorM) {
+    public StationGivingWay(Surroundings surroundings, Kinematics vehicle, double radiusM, double positionErrorM) {
+        this(surroundings, vehicle, radiusM, positionErrorM, 0);
+    }
+
+    private StationGivingWay(
+            Surroundings surroundings, Kinematics vehicle, double radiusM, double positionErrorM, double marginM) {
+        this.marginM = marginM;
         this.surroundings = surroundings;
         this.vehicle = vehicle;
         this.radiusM = radiusM - CIRCLE_MARGIN_M;
         apartM = GivingWay.APART_M + GivingWay.errorMarginM(positionErrorM);
+    }
+
+    /** The same for one that makes as much more room as boats of these position errors keep from it in passing. */
+    public static StationGivingWay wide(
+            Surroundings surroundings, Kinematics vehicle, double radiusM, double positionErrorM) {
+        return new StationGivingWay(
+                surroundings, vehicle, radiusM, positionErrorM, GivingWay.errorMarginM(positionErrorM));
     }
 
     /** The boat keeps another station from now on. */
@@ -113,14 +127,15 @@ public final class StationGivingWay {
         return true;
     }
 
-    private static boolean isGoal(OtherBoat other, double eastM, double northM, long nowMs) {
+    private boolean isGoal(OtherBoat other, double eastM, double northM, long nowMs) {
         double leftM = PlaneMath.length(other.toEastM() - other.eastM(nowMs), other.toNorthM() - other.northM(nowMs));
         return leftM < APPROACH_M
-                && PlaneMath.length(other.toEastM() - eastM, other.toNorthM() - northM) < CLEARANCE_M - CIRCLE_MARGIN_M;
+                && PlaneMath.length(other.toEastM() - eastM, other.toNorthM() - northM)
+                        < CLEARANCE_M - CIRCLE_MARGIN_M + marginM;
     }
 
     /** Whether a boat lying at a place blocks the straight way of another one that hardly moves. */
-    private static boolean isAhead(OtherBoat other, double eastM, double northM, long nowMs) {
+    private boolean isAhead(OtherBoat other, double eastM, double northM, long nowMs) {
         double awayEastM = eastM - other.eastM(nowMs);
         double awayNorthM = northM - other.northM(nowMs);
         if (!other.isSlow() || PlaneMath.length(awayEastM, awayNorthM) > BLOCKED_WITHIN_M) {
@@ -131,7 +146,7 @@ public final class StationGivingWay {
         double wayM = PlaneMath.length(toEastM, toNorthM);
         double along = (awayEastM * toEastM + awayNorthM * toNorthM) / wayM;
         double across = Math.abs(awayEastM * toNorthM - awayNorthM * toEastM) / wayM;
-        return along > 0 && along < wayM + GivingWay.APART_M && across < GivingWay.APART_M;
+        return along > 0 && along < wayM + GivingWay.APART_M && across < GivingWay.APART_M + marginM;
     }
 
     /** Whether no boat is near a place. */
