@@ -15,11 +15,11 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.gateway.BoatGateway;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.base.MavlinkBase;
-import org.sami.mavlink.mission.MissionItem;
 import org.sami.spn.value.GeoArea;
 
 /**
@@ -37,7 +37,7 @@ public final class MavlinkGateway implements BoatGateway {
     private final ScheduledExecutorService thread;
     private final Future<?> ticks;
     private final Map<String, VehicleLink> links = new HashMap<>(); // by address; this and the next for the thread
-    private List<MissionItem> fence = List.of();
+    private SessionFence fence = SessionFence.NONE;
     private boolean closed;
 
     /**
@@ -71,9 +71,9 @@ public final class MavlinkGateway implements BoatGateway {
     }
 
     @Override
-    public void keepTo(Optional<GeoArea> within, List<GeoArea> avoid) {
+    public void keepTo(Optional<GeoArea> within, List<GeoArea> avoid, RobotKind robots) {
         executor().execute(() -> {
-            fence = FenceItems.of(within, avoid);
+            fence = new SessionFence(FenceItems.of(within, avoid), robots == RobotKind.COPTER);
             links.values().forEach(link -> link.keepTo(fence));
         });
     }

@@ -16,7 +16,6 @@ import org.sami.boat.link.Progress;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.Traffic;
 import org.sami.mavlink.base.MavlinkBase;
-import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.TextSeverity;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
@@ -74,7 +73,7 @@ final class VehicleBoat implements BaseSession.Boat {
         performance = new VehiclePerformance(
                 base, first.id(), flies, thread, files.consumption(name), counted -> keep(files, counted));
         fence = new VehicleFence(
-                base, first.id(), thread, this::alarm, files.fences(name), given -> keepFences(files, given));
+                base, first.id(), flies, thread, this::alarm, files.fences(name), given -> keepFences(files, given));
         orders = new AutopilotCommands(
                 name,
                 base,
@@ -170,11 +169,9 @@ final class VehicleBoat implements BaseSession.Boat {
         to.alarm(name + " is taken by " + who + ": its missions wait until you take it back");
     }
 
-    /** The fence that it is to hold by itself; empty for none of the session's. It bounds the water: a copter keeps its owner's. */
-    void keepTo(List<MissionItem> fenceItems) {
-        if (!flies) {
-            fence.want(fenceItems);
-        }
+    /** The fence that it is to hold by itself. */
+    void keepTo(SessionFence area) {
+        fence.want(area.of(flies));
     }
 
     /** This is how it reports itself. */

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import java.util.function.IntUnaryOperator;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
@@ -18,17 +19,22 @@ import org.sami.mavlink.vehicle.VehicleId;
  * it, sent where it differs, and read back equal. Its parameters are set and read back with it. As long as the session has no areas, the vehicle's fence is its
  * owner's; one that an earlier session on this machine has left there is taken away. For the gateway's thread.
  *
- * <p>Source: ArduPilot's parameters {@code FENCE_TYPE} (4: polygons alone; the circle is about its home), {@code FENCE_ACTION} (2: mode HOLD) and {@code
- * FENCE_ENABLE}.
+ * <p>Source: ArduPilot's parameters {@code FENCE_TYPE} (bits 1: highest altitude, 2: circle about its home, 4: polygons, 8: lowest altitude; boats have 4 alone, copters
+ * keep their altitudes), {@code FENCE_ACTION} (boats 2: mode HOLD; copters 4: BRAKE or land) and {@code FENCE_ENABLE}.
  */
 final class VehicleFence {
     private static final long AGAIN_MS = 30_000; // after a fault
     private static final long AREAS_COME_MS = 10_000; // a session may load its project after it commands the vehicle
     private static final String ENABLE = "FENCE_ENABLE";
-    private static final Map<String, Integer> IN_FORCE = inForce();
+    private static final String TYPE = "FENCE_TYPE";
+    private static final int CIRCLE = 2;
+    private static final int POLYGONS = 4;
+    private static final int HOLD_BOAT = 2; // its mode HOLD: motors off
+    private static final int BRAKE_COPTER = 4; // its mode BRAKE, or a landing where it cannot
 
     private final MavlinkBase base;
     private final VehicleId id;
+    private final boolean flies;
     private final Executor thread;
     private final Consumer<String> alarm;
     private final Consumer<List<String>> keep;
@@ -41,17 +47,19 @@ final class VehicleFence {
     private long notBeforeMs;
     private String lastFault = "";
 
-    private static Map<String, Integer> inForce() {
-        Map<String, Integer> values = new LinkedHashMap<>(); // in the order in which they are set
-        values.put("FENCE_TYPE", 4);
-        values.put("FENCE_ACTION", 2);
-        values.put(ENABLE, 1);
+    /** The parameters of a fence in force, in the order in which they are set: each new value by the present one. */
+    private Map<String, IntUnaryOperator> inForce() {
+        Map<String, IntUnaryOperator> values = new LinkedHashMap<>();
+        values.put(TYPE, now -> flies ? (now | POLYGONS) & ~CIRCLE : POLYGONS);
+        values.put("FENCE_ACTION", now -> flies ? BRAKE_COPTER : HOLD_BOAT);
+        values.put(ENABLE, now -> 1);
         return values;
     }
 
     /**
      * Nothing is known or asked for yet.
      *
+     * @param flies whether it is a copter
      * @param alarm receives faults, in words for the operator
      * @param given the fences that earlier sessions on this machine gave to the vehicle and did not take away
      * @param keep receives these fences when they change, for later sessions
@@ -59,12 +67,14 @@ final class VehicleFence {
     VehicleFence(
             MavlinkBase base,
             VehicleId id,
+            boolean flies,
             Executor thread,
             Consumer<String> alarm,
             List<String> given,
             Consumer<List<String>> keep) {
         this.base = base;
         this.id = id;
+        this.flies = flies;
         this.thread = thread;
         this.alarm = alarm;
         this.given = given;
@@ -131,27 +141,29 @@ final class VehicleFence {
 
     /** Sets what of its parameters is another, in their order. */
     private void heed(List<MissionItem> fence) {
-        set(new ArrayList<>(IN_FORCE.entrySet()).iterator(), () -> {
+        set(new ArrayList<>(inForce().entrySet()).iterator(), () -> {
             give(List.of(FenceItems.text(fence)));
             done(fence);
         });
     }
 
-    private void set(Iterator<Map.Entry<String, Integer>> values, Runnable then) {
+    private void set(Iterator<Map.Entry<String, IntUnaryOperator>> values, Runnable then) {
         if (!values.hasNext()) {
             then.run();
             return;
         }
-        Map.Entry<String, Integer> value = values.next();
+        Map.Entry<String, IntUnaryOperator> value = values.next();
         Results.when(
                 base.parameter(id, value.getKey()),
                 thread,
                 now -> {
-                    if (Math.round(now) == value.getValue()) {
+                    int present = (int) Math.round(now);
+                    int asked = value.getValue().applyAsInt(present);
+                    if (present == asked) {
                         set(values, then);
                     } else {
                         Results.when(
-                                base.setParameter(id, value.getKey(), value.getValue()),
+                                base.setParameter(id, value.getKey(), asked),
                                 thread,
                                 set -> set(values, then),
                                 this::failed);
@@ -163,7 +175,8 @@ final class VehicleFence {
     /** Takes away what this machine has put there: first it is no longer heeded. */
     private void remove() {
         set(
-                List.of(Map.entry(ENABLE, 0)).iterator(),
+                List.<Map.Entry<String, IntUnaryOperator>>of(Map.entry(ENABLE, now -> 0))
+                        .iterator(),
                 () -> Results.when(
                         base.replace(id, HeldKind.FENCE, List.of()),
                         thread,

@@ -15,7 +15,6 @@ import java.util.stream.Collectors;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.link.MavlinkLinkReport;
-import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
@@ -35,7 +34,7 @@ final class VehicleLink {
     private final List<Waiting> waiting = new ArrayList<>();
     private final List<Several> several = new ArrayList<>();
     private List<VehicleSnapshot> vehicles = List.of();
-    private List<MissionItem> fence; // that each vehicle is to hold
+    private SessionFence fence; // that each vehicle is to hold
     private boolean asked; // for the vehicles, and not answered
 
     /** A connection to a vehicle that is not heard yet. */
@@ -44,8 +43,7 @@ final class VehicleLink {
     /** A connection that asks for all vehicles, and those that were reported to it. */
     private record Several(VehicleConnection connection, Set<Integer> found, long untilMs) {}
 
-    VehicleLink(
-            MavlinkAddress address, Executor thread, LongSupplier nowMs, VehicleFiles files, List<MissionItem> fence) {
+    VehicleLink(MavlinkAddress address, Executor thread, LongSupplier nowMs, VehicleFiles files, SessionFence fence) {
         this.address = address;
         this.thread = thread;
         this.nowMs = nowMs;
@@ -56,9 +54,9 @@ final class VehicleLink {
     }
 
     /** The fence that each vehicle is to hold by itself from now on. */
-    void keepTo(List<MissionItem> items) {
-        fence = items;
-        boats.values().forEach(boat -> boat.keepTo(items));
+    void keepTo(SessionFence area) {
+        fence = area;
+        boats.values().forEach(boat -> boat.keepTo(area));
     }
 
     void add(VehicleConnection connection, long now) {

@@ -12,6 +12,7 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.link.LinkAlarm;
 import org.sami.crw.proxy.link.ProxyConfig;
@@ -61,7 +62,7 @@ final class GatewayWorld implements AutoCloseable, BaseListener {
     }
 
     void keepTo(Optional<GeoArea> within, List<GeoArea> avoid) {
-        base.keepTo(within, avoid);
+        base.keepTo(within, avoid, RobotKind.BOAT);
     }
 
     List<LinkReport> links() {

@@ -21,6 +21,7 @@ import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.SlowableClock;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.value.GeoArea;
@@ -95,7 +96,12 @@ final class LinkClient implements AutoCloseable {
 
     /** The area in which the vehicle may go. */
     void keepTo(Optional<GeoArea> within, List<GeoArea> avoid) {
-        gateway.keepTo(within, avoid);
+        keepTo(within, avoid, RobotKind.BOAT);
+    }
+
+    /** The area in which the robots of a session of a kind may go. */
+    void keepTo(Optional<GeoArea> within, List<GeoArea> avoid, RobotKind robots) {
+        gateway.keepTo(within, avoid, robots);
     }
 
     /** Waits for an alarm with such words. */

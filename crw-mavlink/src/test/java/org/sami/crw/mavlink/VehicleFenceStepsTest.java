@@ -59,7 +59,7 @@ class VehicleFenceStepsTest {
     /** Its fence as a session finds it that knows what earlier ones gave to it. */
     private VehicleFence session(List<MissionItem> given) {
         kept = List.of(FenceItems.text(given));
-        return new VehicleFence(base, ID, work::add, alarms::add, kept, fences -> kept = fences);
+        return new VehicleFence(base, ID, false, work::add, alarms::add, kept, fences -> kept = fences);
     }
 
     private void holds(List<MissionItem> fence) {

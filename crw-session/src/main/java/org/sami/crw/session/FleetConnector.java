@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import org.sami.crw.area.OperatingArea;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.tcp.BaseListener;
@@ -53,8 +54,8 @@ public interface FleetConnector extends BoatConnector, AutoCloseable {
         return List.of();
     }
 
-    /** The area in which boats may go from now on, for vehicles that keep to a fence by themselves; from any thread. */
-    default void keepTo(OperatingArea area) {
+    /** The area in which the robots of a kind may go from now on, for vehicles that keep to a fence by themselves; from any thread. */
+    default void keepTo(OperatingArea area, RobotKind robots) {
         // simulated boats have no fence of their own
     }
 

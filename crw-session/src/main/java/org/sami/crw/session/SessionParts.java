@@ -69,7 +69,7 @@ final class SessionParts {
                 monitor.map(SessionMonitor::engine),
                 setup.onFault().boats());
         fleet.events().subscribe(models.fleetListener(fleet.connector().boats(), threads.showMillis()));
-        models.onOperatingArea(fleet.connector()::keepTo);
+        models.onOperatingArea(area -> fleet.connector().keepTo(area, robots));
         looks = new SessionLooks(setup.vocabulary(), threads, engine, fleet, domain, models, monitor);
     }
 

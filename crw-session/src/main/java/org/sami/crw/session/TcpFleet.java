@@ -17,6 +17,7 @@ import org.sami.boat.link.KeptFile;
 import org.sami.boat.link.SteadyClock;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.file.BoatFileFetch;
@@ -136,8 +137,8 @@ final class TcpFleet implements FleetConnector {
     }
 
     @Override
-    public void keepTo(OperatingArea area) {
-        base().keepTo(area.fence(), area.noGo());
+    public void keepTo(OperatingArea area, RobotKind robots) {
+        base().keepTo(area.fence(), area.noGo(), robots);
     }
 
     @Override

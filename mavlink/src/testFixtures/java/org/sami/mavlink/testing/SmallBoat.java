@@ -365,7 +365,7 @@ public final class SmallBoat implements AutoCloseable {
         }
     }
 
-    private static boolean isAboutFence(Object message) {
+    static boolean isAboutFence(Object message) {
         Optional<EnumValue<MavMissionType>> type = Optional.empty();
         if (message instanceof MissionRequestList asked) {
             type = Optional.of(asked.missionType());

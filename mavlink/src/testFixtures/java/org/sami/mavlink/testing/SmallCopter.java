@@ -20,10 +20,17 @@ import io.dronefleet.mavlink.minimal.MavType;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.io.IOException;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import org.sami.mavlink.mission.HeldKind;
+import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.onboard.ListKeeper;
+import org.sami.mavlink.onboard.OnboardLists;
+import org.sami.mavlink.vehicle.VehicleId;
 
 /**
  * A simulated copter with an autopilot, on TCP on loopback: arming, take-off, missions, landing and brake as ArduPilot's copters have them, without any
@@ -48,12 +55,26 @@ public final class SmallCopter implements AutoCloseable {
     private static final int MISSION_START = 300;
     private static final int ARM = 400;
     private static final double FORCED = 21_196;
+    private static final int FENCE_CORNERS = 84;
+    private static final VehicleId STATION = new VehicleId(255, 190);
 
     private final SmallVehicleLink link;
     private final SmallFlight flight;
     private final SmallBoatMission mission = new SmallBoatMission();
-    private final Map<String, Float> parameters =
-            new HashMap<>(Map.of("STAT_BOOTCNT", 7f, "FS_GCS_ENABLE", 0f, "WPNAV_SPEED", 800f));
+    private final Map<String, Float> parameters = new HashMap<>(Map.of(
+            "STAT_BOOTCNT",
+            7f,
+            "FS_GCS_ENABLE",
+            0f,
+            "WPNAV_SPEED",
+            800f,
+            "FENCE_ENABLE",
+            0f,
+            "FENCE_TYPE",
+            7f,
+            "FENCE_ACTION",
+            1f));
+    private final OnboardLists fence = new OnboardLists(FENCE_CORNERS, 0, new FenceKeeper(), this::send);
     private final ScheduledExecutorService steps = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread made = new Thread(work, "small copter moves");
         made.setDaemon(true);
@@ -146,8 +167,32 @@ public final class SmallCopter implements AutoCloseable {
         } else if (message instanceof ParamSet set) {
             parameters.put(set.paramId(), set.paramValue());
             report(set.paramId());
+        } else if (SmallBoat.isAboutFence(message)) {
+            fence.take(STATION, message, bootMs);
         } else {
             mission.answers(message).forEach(link::send);
+        }
+    }
+
+    private void send(Object message) {
+        link.send(message);
+    }
+
+    /** The fence that it holds. */
+    public synchronized List<MissionItem> fence() {
+        return fence.held(HeldKind.FENCE);
+    }
+
+    /** Takes every fence. */
+    private static final class FenceKeeper implements ListKeeper {
+        @Override
+        public Optional<Refusal> whyNot(HeldKind kind, MissionItem item) {
+            return Optional.empty();
+        }
+
+        @Override
+        public void changed(HeldKind kind, List<MissionItem> items) {
+            // it is read from the lists
         }
     }
 
@@ -202,6 +247,7 @@ public final class SmallCopter implements AutoCloseable {
 
     private synchronized void step() {
         bootMs += STEP_MS;
+        fence.tick(bootMs);
         if (armed && mode == AUTO && (started || flight.isInTheAir())) {
             flight.step(mission, STEP_MS / 1000.0)
                     .ifPresent(item ->

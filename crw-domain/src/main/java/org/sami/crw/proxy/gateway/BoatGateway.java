@@ -3,6 +3,7 @@ package org.sami.crw.proxy.gateway;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.spn.value.GeoArea;
 
 /** Reaches vehicles that do not speak the boat link, and speaks it for them in this process (docs/mavlink.md). Safe for use by several threads. */
@@ -20,8 +21,9 @@ public interface BoatGateway extends AutoCloseable {
      *
      * @param within the area to stay in; empty without one
      * @param avoid areas that boats may not enter
+     * @param robots whom the area binds: it is water where boats are, so copters keep to it only where all are copters
      */
-    void keepTo(Optional<GeoArea> within, List<GeoArea> avoid);
+    void keepTo(Optional<GeoArea> within, List<GeoArea> avoid, RobotKind robots);
 
     /** Ends all links without a call of their listeners. */
     @Override

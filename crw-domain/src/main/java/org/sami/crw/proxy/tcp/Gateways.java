@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.gateway.BoatGateway;
 import org.sami.crw.proxy.gateway.GatewayMaker;
 import org.sami.spn.value.GeoArea;
@@ -15,6 +16,7 @@ final class Gateways {
     private final Map<GatewayMaker, BoatGateway> begun = new LinkedHashMap<>();
     private Optional<GeoArea> within = Optional.empty();
     private List<GeoArea> avoid = List.of();
+    private RobotKind robots = RobotKind.BOAT;
     private Optional<Iterable<GatewayMaker>> makers = Optional.empty(); // of this program, once one was needed
 
     /** The gateway to an address; empty where the boat there speaks the link itself. */
@@ -35,15 +37,16 @@ final class Gateways {
 
     private BoatGateway begin(GatewayMaker maker) {
         BoatGateway gateway = maker.begin();
-        gateway.keepTo(within, avoid);
+        gateway.keepTo(within, avoid, robots);
         return gateway;
     }
 
     /** The area in which boats may go, for those that are begun and those that will be. */
-    void keepTo(Optional<GeoArea> stayIn, List<GeoArea> keepOut) {
+    void keepTo(Optional<GeoArea> stayIn, List<GeoArea> keepOut, RobotKind whom) {
+        robots = whom;
         within = stayIn;
         avoid = List.copyOf(keepOut);
-        begun.values().forEach(gateway -> gateway.keepTo(within, avoid));
+        begun.values().forEach(gateway -> gateway.keepTo(within, avoid, robots));
     }
 
     /** Ends all that were begun. */

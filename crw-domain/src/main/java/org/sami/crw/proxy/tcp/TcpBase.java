@@ -15,6 +15,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import org.sami.boat.link.SteadyClock;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.spn.value.GeoArea;
@@ -92,8 +93,8 @@ public final class TcpBase implements AutoCloseable {
      * @param within the area to stay in; empty without one
      * @param avoid areas that boats may not enter
      */
-    public void keepTo(Optional<GeoArea> within, List<GeoArea> avoid) {
-        run("the area in which boats may go", () -> gateways.keepTo(within, avoid));
+    public void keepTo(Optional<GeoArea> within, List<GeoArea> avoid, RobotKind robots) {
+        run("the area in which boats may go", () -> gateways.keepTo(within, avoid, robots));
     }
 
     /** Asks or tells the proxies something on the base's thread. */
