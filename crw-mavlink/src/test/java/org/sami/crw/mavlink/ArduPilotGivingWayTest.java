@@ -36,52 +36,94 @@ class ArduPilotGivingWayTest {
     void boatsThatMeetAndCrossKeepApartAndComeToTheirEnds() throws Exception {
         assumeTrue(Boolean.getBoolean("crw.vehicleMissions"), "minutes on real firmware: only with -PvehicleMissions");
         assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
-        List<SimulatorTruth> truths = new ArrayList<>();
         try (ArduPilotBoats boats = new ArduPilotBoats(FIRST, BOATS, 1, work);
-                GatewayWorld world = new GatewayWorld(work.resolve("vehicles"))) {
-            for (int i = FIRST; i < FIRST + BOATS; i++) {
-                world.connect(ArduPilotBoats.address(i) + "/" + (i + 1));
-            }
-            for (int i = FIRST; i < FIRST + BOATS; i++) {
-                String boat = boat(i);
-                Await.until(
-                        boat + " is ready",
-                        BOOT_S,
-                        () -> world.is(
-                                boat,
-                                proxy -> proxy.isCommanding()
-                                        && proxy.status().pose().isPresent()));
-                truths.add(new SimulatorTruth(ArduPilotBoats.secondPort(i), i + 1));
-            }
-            List<GeoPoint> starts = new ArrayList<>();
-            for (int i = FIRST; i < FIRST + BOATS; i++) {
-                starts.add(world.ask(
-                        boat(i), proxy -> proxy.status().pose().orElseThrow().position()));
-            }
+                GatewayWorld world = new GatewayWorld(work.resolve("vehicles"));
+                Truths truths = new Truths()) {
+            List<GeoPoint> starts = ready(world, BOATS, truths);
 
             // the outer two to each other's place; the middle one across their line and back
             submit(world, 0, off(starts.get(2), -1), off(starts.get(2), 12));
             submit(world, 2, off(starts.get(0), 1), off(starts.get(0), -12));
             submit(world, 1, off(starts.get(1), -15), off(starts.get(1), 15));
             for (int i = 0; i < BOATS; i++) {
-                String path = "p" + i;
-                Await.until(
-                        path + " is completed",
-                        MISSION_S,
-                        () -> world.has(
-                                FleetEvent.CommandCompleted.class,
-                                done -> done.command().commandId().equals(path)));
+                isCompleted(world, i);
             }
 
-            assertThat(truths.get(0).closestM(truths.get(2))).isBetween(APART_M, 20.0); // they have met
-            assertThat(truths.get(0).closestM(truths.get(1))).isGreaterThan(APART_M);
-            assertThat(truths.get(1).closestM(truths.get(2))).isGreaterThan(APART_M);
+            assertThat(truths.all.get(0).closestM(truths.all.get(2))).isBetween(APART_M, 20.0); // they have met
+            assertThat(truths.all.get(0).closestM(truths.all.get(1))).isGreaterThan(APART_M);
+            assertThat(truths.all.get(1).closestM(truths.all.get(2))).isGreaterThan(APART_M);
             assertThat(world.alarms).noneMatch(text -> text.contains("taken"));
             assertThat(world.faults).isEmpty();
-        } finally {
-            for (SimulatorTruth truth : truths) {
+        }
+    }
+
+    /** Where boats truly are. */
+    private static final class Truths implements AutoCloseable {
+        private final List<SimulatorTruth> all = new ArrayList<>();
+
+        @Override
+        public void close() throws Exception {
+            for (SimulatorTruth truth : all) {
                 truth.close();
             }
+        }
+    }
+
+    /** Connects boats and waits until each says where it is: these places. */
+    private static List<GeoPoint> ready(GatewayWorld world, int count, Truths truths) throws Exception {
+        for (int i = FIRST; i < FIRST + count; i++) {
+            world.connect(ArduPilotBoats.address(i) + "/" + (i + 1));
+        }
+        List<GeoPoint> starts = new ArrayList<>();
+        for (int i = FIRST; i < FIRST + count; i++) {
+            String boat = boat(i);
+            Await.until(
+                    boat + " is ready",
+                    BOOT_S,
+                    () -> world.is(
+                            boat,
+                            proxy -> proxy.isCommanding()
+                                    && proxy.status().pose().isPresent()));
+            truths.all.add(new SimulatorTruth(ArduPilotBoats.secondPort(i), i + 1));
+            starts.add(
+                    world.ask(boat, proxy -> proxy.status().pose().orElseThrow().position()));
+        }
+        return starts;
+    }
+
+    private static void isCompleted(GatewayWorld world, int boat) {
+        String path = "p" + boat;
+        Await.until(
+                path + " is completed",
+                MISSION_S,
+                () -> world.has(
+                        FleetEvent.CommandCompleted.class,
+                        done -> done.command().commandId().equals(path)));
+    }
+
+    /** The first one's path ends where the other has to pass. */
+    @Test
+    void boatAtTheEndOfItsPathMakesRoom() throws Exception {
+        assumeTrue(Boolean.getBoolean("crw.vehicleMissions"), "minutes on real firmware: only with -PvehicleMissions");
+        assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
+        try (ArduPilotBoats boats = new ArduPilotBoats(FIRST, 2, 1, work);
+                GatewayWorld world = new GatewayWorld(work.resolve("vehicles"));
+                Truths truths = new Truths()) {
+            List<GeoPoint> starts = ready(world, 2, truths);
+
+            submit(world, 0, off(starts.get(0), 20), off(starts.get(0), 40));
+            isCompleted(world, 0);
+            long beganMs = System.nanoTime() / 1_000_000;
+            submit(world, 1, off(starts.get(0), 20), off(starts.get(0), 37), off(starts.get(0), 60));
+            isCompleted(world, 1);
+
+            System.out.printf(
+                    "boat that had to pass: %.0f s, %.2f m at the closest%n",
+                    (System.nanoTime() / 1_000_000 - beganMs) / 1000.0,
+                    truths.all.get(0).closestM(truths.all.get(1)));
+            assertThat(truths.all.get(0).closestM(truths.all.get(1))).isGreaterThan(APART_M);
+            assertThat(world.alarms).noneMatch(text -> text.contains("taken"));
+            assertThat(world.faults).isEmpty();
         }
     }
 
