@@ -20,5 +20,8 @@ public final class MotionDefaults {
     /** Speed in m/s that full thrust gives in still water. */
     public static final double FULL_THRUST_SPEED_MPS = 3.2;
 
+    /** How fast small hulls slow down with motors at rest, in m/s per second. */
+    public static final double BRAKING_MPS2 = 0.35;
+
     private MotionDefaults() {}
 }

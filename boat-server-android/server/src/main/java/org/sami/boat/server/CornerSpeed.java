@@ -1,5 +1,6 @@
 package org.sami.boat.server;
 
+import org.sami.boat.link.MotionDefaults;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
@@ -9,8 +10,7 @@ import org.sami.boat.server.vehicle.PlaneMath;
  * track close behind the waypoint.
  */
 final class CornerSpeed {
-    /** How fast small hulls slow down with motors at rest, in m/s per second. */
-    static final double BRAKING_MPS2 = 0.35;
+    static final double BRAKING_MPS2 = MotionDefaults.BRAKING_MPS2;
 
     /** Speed across the next leg at which a turning boat may drift, in m/s. */
     private static final double TURN_DRIFT_MPS = 0.25;

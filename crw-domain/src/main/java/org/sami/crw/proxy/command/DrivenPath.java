@@ -29,11 +29,24 @@ public final class DrivenPath {
      * @param water where the boat may go, if limited
      */
     public static DrivenPath of(List<GeoPoint> path, int visited, Optional<GeoPoint> from, Optional<Water> water) {
+        return of(path, visited, from, List.of(), water);
+    }
+
+    /**
+     * The same for a boat that first drives on along an earlier line.
+     *
+     * @param before the points of that line, to be driven before the path's first point that is not visited
+     */
+    public static DrivenPath of(
+            List<GeoPoint> path, int visited, Optional<GeoPoint> from, List<GeoPoint> before, Optional<Water> water) {
         List<GeoPoint> points = new ArrayList<>();
         int[] indexOf = new int[path.size()];
-        Optional<GeoPoint> at = from;
+        Optional<GeoPoint> at = before.isEmpty() ? from : Optional.of(before.get(before.size() - 1));
         for (int i = 0; i < path.size(); i++) {
             GeoPoint point = path.get(i);
+            if (i == visited) {
+                points.addAll(before);
+            }
             if (i >= visited && at.isPresent() && water.isPresent()) {
                 double altM = Math.max(at.get().altM(), point.altM()); // an aircraft descends behind the last turn
                 Detour.between(at.get(), point, water.get())

@@ -44,6 +44,7 @@ public final class CommandDriver {
     private final BooleanSupplier flies;
     private final ExpectedWayHome wayHome;
     private Optional<CommandRun> run = Optional.empty();
+    private Optional<Underway> earlier = Optional.empty(); // what the boat drove along until its command was taken
     private Optional<NearbyEdges> noGoEdges = Optional.empty();
     private LastCommandOutcome lastWord = LastCommandOutcome.NONE;
     private int wireIds;
@@ -245,6 +246,7 @@ public final class CommandDriver {
             return;
         }
         if (run.isPresent() && !isRunCurrent()) {
+            earlier = run.get().underway(nowMs);
             abandon("its command is no longer wanted");
             mustStop = true;
             completeEmptyPaths(); // the one that took the boat may have nothing to do
@@ -297,6 +299,7 @@ public final class CommandDriver {
         CommandRun next = run(queued, wireId);
         run = Optional.of(next);
         next.begin(nowMs);
+        earlier = Optional.empty();
     }
 
     private CommandRun run(QueuedCommand queued, String wireId) {
@@ -309,6 +312,7 @@ public final class CommandDriver {
                     position,
                     flies,
                     wayHome,
+                    earlier,
                     wireId,
                     adoptable(queued),
                     speedMps,
@@ -317,7 +321,7 @@ public final class CommandDriver {
         } else if (queued.command() instanceof KeepStation station) {
             noGoEdges = station.water().map(NearbyEdges::new);
             return new StationRun(
-                    queued, station, position, flies, wayHome, wireId, speedMps, requests, uploads::reached);
+                    queued, station, position, flies, wayHome, earlier, wireId, speedMps, requests, uploads::reached);
         }
         return queued.command() instanceof Panorama panorama
                 ? new PanoramaRun(queued, panorama, wireId, requests)

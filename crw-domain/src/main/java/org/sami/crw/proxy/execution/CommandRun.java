@@ -65,6 +65,11 @@ public abstract class CommandRun {
         return 0;
     }
 
+    /** What the boat drives along, where it is under way. */
+    Optional<Underway> underway(long nowMs) {
+        return Optional.empty();
+    }
+
     /** Whether the boat is expected to be under way. */
     public abstract boolean isDriving();
 

@@ -45,6 +45,7 @@ final class PathRun extends CommandRun {
         }
     }
 
+    private final Optional<Underway> earlier;
     private final String wireId; // what is asked in this try has ids of its own, also where the list is an earlier one
     private final String listId;
     private final Optional<Adopted> adopted;
@@ -76,6 +77,7 @@ final class PathRun extends CommandRun {
      * @param position position of the boat, if known
      * @param flies whether it takes altitudes
      * @param wayHome learns the ways home that the boat knows
+     * @param earlier what the boat drove along before, if it may still be under way
      * @param adopted goes on with the boat's list if it is this path; otherwise the path is sent under a new id
      * @param reached receives each state of the upload once
      */
@@ -85,6 +87,7 @@ final class PathRun extends CommandRun {
             Supplier<Optional<GeoPoint>> position,
             BooleanSupplier flies,
             ExpectedWayHome wayHome,
+            Optional<Underway> earlier,
             String wireId,
             Optional<Adopted> adopted,
             double cruiseSpeedMps,
@@ -92,6 +95,7 @@ final class PathRun extends CommandRun {
             Consumer<Upload> reached) {
         super(queued);
         this.reached = reached;
+        this.earlier = earlier;
         this.wireId = wireId;
         this.adopted = adopted;
         this.listId = adopted.map(Adopted::listId).orElse(wireId);
@@ -102,6 +106,21 @@ final class PathRun extends CommandRun {
         this.wayHome = wayHome;
         speedMps = path.speedMps().orElse(cruiseSpeedMps);
         driven = DrivenPath.of(path.points(), path.points().size(), Optional.empty(), Optional.empty());
+    }
+
+    private DrivenPath way(long nowMs) {
+        int visited = queued().visited();
+        Optional<GeoPoint> from = position.get();
+        boolean isLimited = path.water().filter(water -> !water.isOpen()).isPresent();
+        if (earlier.isEmpty()
+                || from.isEmpty()
+                || !isLimited
+                || visited >= path.points().size()) {
+            return DrivenPath.of(path.points(), visited, from, path.water());
+        }
+        Underway.Start start = earlier.get()
+                .start(from.get(), path.points().get(visited), path.water().get(), nowMs);
+        return DrivenPath.of(path.points(), visited, Optional.of(start.from()), start.before(), path.water());
     }
 
     private List<Waypoint> waypoints(List<GeoPoint> points) {
@@ -124,6 +143,19 @@ final class PathRun extends CommandRun {
     }
 
     @Override
+    Optional<Underway> underway(long nowMs) {
+        return isDriving()
+                ? Optional.of(new Underway(
+                        driven.points()
+                                .subList(
+                                        Math.min(next, driven.points().size()),
+                                        driven.points().size()),
+                        speedMps,
+                        nowMs))
+                : Optional.empty();
+    }
+
+    @Override
     public boolean isDriving() {
         return phase == Phase.DRIVING;
     }
@@ -133,7 +165,7 @@ final class PathRun extends CommandRun {
         if (adopted.isPresent()) {
             readBack(nowMs);
         } else {
-            driven = DrivenPath.of(path.points(), queued().visited(), position.get(), path.water());
+            driven = way(nowMs);
             next = driven.indexAfter(queued().visited());
             reach(Upload.State.SENT);
             requests.send(new UploadWaypoints(wireId + "/upload", listId, waypoints(driven.points())), nowMs);

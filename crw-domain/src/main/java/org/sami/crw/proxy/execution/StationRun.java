@@ -26,6 +26,7 @@ public final class StationRun extends CommandRun {
             Supplier<Optional<GeoPoint>> position,
             BooleanSupplier flies,
             ExpectedWayHome wayHome,
+            Optional<Underway> earlier,
             String wireId,
             double cruiseSpeedMps,
             PendingRequests requests,
@@ -38,6 +39,7 @@ public final class StationRun extends CommandRun {
                 position,
                 flies,
                 wayHome,
+                earlier,
                 wireId,
                 Optional.empty(),
                 cruiseSpeedMps,
@@ -58,6 +60,11 @@ public final class StationRun extends CommandRun {
     @Override
     public Optional<ProgressMonitor> headway() {
         return there ? Optional.empty() : way.headway();
+    }
+
+    @Override
+    Optional<Underway> underway(long nowMs) {
+        return there ? Optional.empty() : way.underway(nowMs);
     }
 
     @Override

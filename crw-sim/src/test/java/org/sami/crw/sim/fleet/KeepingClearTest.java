@@ -90,6 +90,49 @@ class KeepingClearTest {
         assertThat(world.reports()).contains("completed aside", "visited 4 of way");
     }
 
+    /** Another command comes while the boat passes a corner, as an alarm does: it slows down on its line before it turns off. */
+    @ParameterizedTest
+    @CsvSource({"1.5, 6", "1.5, 10", "3, 3", "3, 6"})
+    void boatThatIsSentElsewhereCutsNoCorner(double speedMps, long seed) {
+        SimulatedTestWorld first = world(Conditions.CALM, seed);
+        List<GeoArea> rocks = rocks(first, new Random(seed), 12);
+        Water water = Water.of(first.boat().position(), rocks, Optional.empty()).drivenWith(CrossTrackError.CALM);
+        FollowPath path = FollowPath.of("way", 1, 1, first.points(400, 0, 30, 90, 30, -90, 400, 10), Priority.MEDIUM)
+                .in(water)
+                .atSpeed(speedMps);
+        List<Double> nearRocks = momentsNear(first, path, water, 10);
+        List<GeoPoint> goals = first.points(200, 90, 200, -90, 0, 0, 400, 60);
+
+        for (int i = 0; i < nearRocks.size(); i++) {
+            SimulatedTestWorld world = world(Conditions.CALM, seed);
+            FollowPath elsewhere = FollowPath.goTo("aside", 2, 2, goals.get(i % goals.size()), Priority.CRITICAL)
+                    .in(water)
+                    .atSpeed(speedMps);
+
+            TrueTrack track = TrueTrack.of(world, path, nearRocks.get(i) + 60, nearRocks.get(i), elsewhere);
+
+            assertThat(track.deepestInM(rocks))
+                    .as("after %s s", nearRocks.get(i))
+                    .isZero();
+        }
+        assertThat(nearRocks).hasSizeGreaterThan(3);
+    }
+
+    /** When a boat that drives a path is within 1.2 m of rocks, in seconds, at most so often, at least 3 s apart. */
+    private static List<Double> momentsNear(SimulatedTestWorld world, FollowPath path, Water water, int most) {
+        world.proxy().commands().submit(path);
+        List<Double> moments = new ArrayList<>();
+        double last = Double.NEGATIVE_INFINITY;
+        for (double t = 0; t < 1500 && moments.size() < most; t += 0.2) {
+            if (water.clearanceM(world.boat().position()) < 1.2 && t > last + 3) {
+                moments.add(t);
+                last = t;
+            }
+            world.run(0.2);
+        }
+        return moments;
+    }
+
     @ParameterizedTest
     @CsvSource({
         "CALM, 1, 60",
