@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.service.AreaOfTest;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.choice.Criterion;
@@ -134,6 +136,36 @@ class PathsTest {
                 .isGreaterThanOrEqualTo(3.1);
         assertThat(around.clearanceM()).isGreaterThanOrEqualTo(3.1);
         assertThat(around.lengthM()).isGreaterThan(800);
+    }
+
+    /** The walls end 400 m away; 30 m before the gap lies a rock beside the way. */
+    @ParameterizedTest
+    @CsvSource({"1.4, 8", "1.5, 8", "2, 8", "3, 8", "5, 8", "12, 8", "1.5, 0.6", "1.8, 0.6"})
+    void aNarrowGapIsPassedInItsMiddleAndTheClearanceKeptElsewhere(double widthM, double clearanceM) {
+        List<GeoArea> walls = List.of(wall(-4, 400), wall(-400, -4 - widthM));
+        GeoArea rock = box(-180, -5, 3);
+        Water water = Water.of(AreaOfTest.CENTRE, List.of(walls.get(0), walls.get(1), rock), Optional.empty())
+                .drivenWith(CrossTrackError.CALM);
+        PathProblem problem = new PathProblem(at(-200, 40), at(200, 60), water, clearanceM);
+
+        PathAnswer.Way way = (PathAnswer.Way) (clearanceM > 1 ? new SafestPath() : new ShortestPath()).find(problem);
+
+        List<GeoPoint> whole = new ArrayList<>(List.of(problem.from()));
+        whole.addAll(way.points());
+        List<GeoPoint> inside = samples(whole).stream()
+                .filter(point -> Math.abs(Geodesy.distanceM(at(-170, 0), point) - 170) < 130)
+                .filter(point -> water.clearanceM(point) < widthM)
+                .toList();
+        assertThat(inside).hasSizeGreaterThan(10);
+        for (GeoArea wall : walls) {
+            Water alone = Water.of(AreaOfTest.CENTRE, List.of(wall), Optional.empty());
+            assertThat(inside)
+                    .allSatisfy(point -> assertThat(alone.clearanceM(point)).isCloseTo(widthM / 2, within(0.06)));
+        }
+        assertThat(Water.of(AreaOfTest.CENTRE, List.of(rock), Optional.empty()).clearanceM(whole))
+                .isGreaterThanOrEqualTo(clearanceM);
+        assertThat(way.points()).hasSizeLessThan(60);
+        assertThat(way.clearanceM()).isCloseTo(widthM / 2, within(0.06));
     }
 
     private static double clearance(Water water) {

@@ -1,6 +1,7 @@
 package org.sami.crw.sim.fleet;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -194,6 +195,31 @@ class KeepingClearTest {
         double besideM = CrossTrackError.CALM.steeringM();
         assertThat(track.nearestM(rocks)).isGreaterThan(clearanceM - besideM);
         assertThat(track.nearestM(walls)).isBetween(0.9 * 3 - besideM, 3.0);
+    }
+
+    /** Gaps in which a clearance of 8 m cannot be kept, and the shortest way through them. */
+    @ParameterizedTest
+    @CsvSource({"1.4, true", "1.5, true", "4, true", "1.5, false"})
+    void boatsPassNarrowGapsInTheirMiddle(double widthM, boolean safest) {
+        SimulatedTestWorld world = world(Conditions.CALM, 1);
+        List<GeoArea> north = List.of(new GeoArea(world.points(150, -20, 250, -20, 250, 700, 150, 700), List.of()));
+        double southM = -20 - widthM;
+        List<GeoArea> south =
+                List.of(new GeoArea(world.points(150, -700, 250, -700, 250, southM, 150, southM), List.of()));
+        Water water = Water.of(
+                        world.boat().position(),
+                        Stream.concat(north.stream(), south.stream()).toList(),
+                        Optional.empty())
+                .drivenWith(CrossTrackError.CALM);
+        PathProblem problem =
+                new PathProblem(world.boat().position(), world.points(400, 30).get(0), water, 8);
+        PathAnswer.Way way = (PathAnswer.Way) (safest ? new SafestPath() : new ShortestPath()).find(problem);
+
+        TrueTrack track = TrueTrack.of(world, way.points(), 7200);
+
+        assertThat(track.isCompleted()).isTrue();
+        assertThat(track.nearestM(north)).isCloseTo(widthM / 2, within(0.12));
+        assertThat(track.nearestM(south)).isCloseTo(widthM / 2, within(0.12));
     }
 
     @ParameterizedTest
