@@ -2,6 +2,7 @@ package org.sami.crw.service.coverage;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
@@ -23,6 +24,7 @@ final class CoveragePart {
     private final Water water;
     private final List<Geometry> polygons = new ArrayList<>();
     private final List<Cell> cells = new ArrayList<>();
+    private Optional<List<Coordinate>> tour = Optional.empty();
 
     private CoveragePart(Geometry region, Water water) {
         this.region = region;
@@ -74,6 +76,10 @@ final class CoveragePart {
 
     /** One track through all of it. */
     List<Coordinate> tour() {
-        return CellTour.through(cells, new LaneConnections(FACTORY.buildGeometry(polygons), region, water));
+        if (tour.isEmpty()) {
+            tour = Optional.of(
+                    CellTour.through(cells, new LaneConnections(FACTORY.buildGeometry(polygons), region, water)));
+        }
+        return tour.get();
     }
 }

@@ -1,6 +1,7 @@
 package org.sami.crw.service.coverage;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import org.locationtech.jts.algorithm.MinimumDiameter;
 import org.locationtech.jts.geom.Coordinate;
@@ -20,6 +21,14 @@ final class CoverageRegion {
     private static final double MARGIN_OF_SPACING = 1.0 / 20;
     /** A piece of rest with less than this part of a square spacing is not worth a lane. */
     private static final double LEAST_REST = 0.25;
+
+    /** The same where more than {@link #MOST_REST} of the region would stay uncovered: a boat drives there for it alone. */
+    private static final double SMALLEST_REST = 1.0 / 1024;
+
+    private static final double MOST_REST = 0.002;
+
+    /** What then is aimed at: boats end lanes a little before their ends, and leave more of areas with many short ones. */
+    private static final double AIMED_REST = 0.001;
 
     private final LocalPlane plane;
     private final double spacingM;
@@ -56,22 +65,56 @@ final class CoverageRegion {
                 : inside;
     }
 
-    /** What boats can drive on in one go: for each part of the region that ways connect, one track through it. */
+    /**
+     * What boats can drive on in one go: for each part of the region that ways connect, one track through it. Where tracks leave more than a little of
+     * what can be covered, smaller pieces get lanes, too.
+     */
     List<CoveragePart> parts() {
         List<Cell> cells = new ArrayList<>(Cell.of(sweep, drivable));
-        cells.addAll(cellsForRest(cells));
-        return CoveragePart.of(region, drivable, cells, water);
+        List<List<Coordinate>> lanes =
+                cells.stream().flatMap(cell -> cell.lanes().stream()).toList();
+        cells.addAll(cellsFor(UncoveredArea.of(region, lanes, spacingM / 2, sweep.angleRad()), LEAST_REST));
+        List<CoveragePart> parts = CoveragePart.of(region, drivable, cells, water);
+        double mostM2 = AIMED_REST * region.getArea();
+        if (coverable(parts).getArea() <= MOST_REST * region.getArea()) {
+            return parts;
+        }
+        for (double leastRest = LEAST_REST / 4; leastRest >= SMALLEST_REST && !parts.isEmpty(); leastRest /= 4) {
+            List<Geometry> rest = largestFirst(coverable(parts));
+            double restM2 = rest.stream().mapToDouble(Geometry::getArea).sum();
+            boolean isMore = false;
+            for (int i = 0; i < rest.size() && restM2 > mostM2; i++) {
+                isMore |= cells.addAll(cellsFor(rest.get(i), leastRest));
+                restM2 -= rest.get(i).getArea();
+            }
+            parts = isMore ? CoveragePart.of(region, drivable, cells, water) : parts;
+        }
+        return parts;
+    }
+
+    private static List<Geometry> largestFirst(Geometry geometry) {
+        List<Geometry> pieces = new ArrayList<>();
+        for (int i = 0; i < geometry.getNumGeometries(); i++) {
+            pieces.add(geometry.getGeometryN(i));
+        }
+        pieces.sort(Comparator.comparingDouble(piece -> -piece.getArea()));
+        return pieces;
+    }
+
+    /** What the tracks of parts leave uncovered, although boats can come near enough. */
+    private Geometry coverable(List<CoveragePart> parts) {
+        Geometry rest = uncovered(parts.stream().map(CoveragePart::tour).toList());
+        return rest.isEmpty()
+                ? rest
+                : OverlayNGRobust.overlay(rest, drivable.buffer(spacingM / 2), OverlayNG.INTERSECTION);
     }
 
     /** Strips left over next to holes and bays get their own lanes: lane positions ignore such outlines. */
-    private List<Cell> cellsForRest(List<Cell> cells) {
-        List<List<Coordinate>> lanes =
-                cells.stream().flatMap(cell -> cell.lanes().stream()).toList();
-        Geometry rest = UncoveredArea.of(region, lanes, spacingM / 2, sweep.angleRad());
+    private List<Cell> cellsFor(Geometry rest, double leastRest) {
         List<Cell> more = new ArrayList<>();
         for (int i = 0; i < rest.getNumGeometries(); i++) {
             Geometry piece = rest.getGeometryN(i);
-            if (piece.getArea() >= LEAST_REST * spacingM * spacingM) {
+            if (piece.getArea() >= leastRest * spacingM * spacingM) {
                 Geometry within = OverlayNGRobust.overlay(piece, drivable, OverlayNG.INTERSECTION);
                 SweepLanes.best(piece, within, spacingM)
                         .map(lanesOfPiece -> Cell.of(lanesOfPiece, within))
@@ -87,6 +130,10 @@ final class CoverageRegion {
         shares.forEach(share -> tracks.add(share.track().stream()
                 .map(point -> Areas.coordinate(point, plane))
                 .toList()));
+        return uncovered(tracks);
+    }
+
+    private Geometry uncovered(List<List<Coordinate>> tracks) {
         return tracks.isEmpty() ? region : UncoveredArea.of(region, tracks, spacingM / 2, sweep.angleRad());
     }
 

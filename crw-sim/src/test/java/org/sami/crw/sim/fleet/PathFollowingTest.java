@@ -50,6 +50,59 @@ class PathFollowingTest {
         assertThat(track.covered(area, spacingM)).isGreaterThanOrEqualTo(0.995);
     }
 
+    /** Areas whose rims leave many small pieces between lanes. */
+    @ParameterizedTest
+    @CsvSource({
+        "jagged, 1, 5",
+        "jagged, 2, 10",
+        "jagged, 3, 10",
+        "spiral, 14, 5",
+        "spiral, 14, 10",
+        "spiral, 20, 10",
+        "spiral, 10, 5"
+    })
+    void jaggedAreasAndSpiralsAreCoveredToo(String shape, int number, double spacingM) {
+        SimulatedTestWorld world = world(Conditions.CALM);
+        double[] corners = shape.equals("spiral") ? spiral(number) : jagged(new Random(number));
+        GeoArea area = new GeoArea(world.points(corners), List.of());
+        Coverage coverage = new LawnMower()
+                .cover(CoverageProblem.of(
+                        Map.of("boat1", Optional.of(world.boat().position())), area, spacingM));
+
+        TrueTrack track =
+                TrueTrack.of(world, coverage.shares().get("boat1").path().points(), 14_400);
+
+        assertThat(track.isCompleted()).isTrue();
+        assertThat(track.covered(area, spacingM)).isGreaterThanOrEqualTo(0.995);
+    }
+
+    /** A star of 40 corners. */
+    private static double[] jagged(Random random) {
+        double[] corners = new double[80];
+        for (int i = 0; i < 40; i++) {
+            double radiusM = 60 + 40 * random.nextDouble();
+            corners[2 * i] = 120 + radiusM * Math.cos(2 * Math.PI * i / 40);
+            corners[2 * i + 1] = radiusM * Math.sin(2 * Math.PI * i / 40);
+        }
+        return corners;
+    }
+
+    /** A channel of that width that winds a little more than twice around its beginning. */
+    private static double[] spiral(double widthM) {
+        int steps = 90;
+        double[] corners = new double[4 * (steps + 1)];
+        for (int i = 0; i <= steps; i++) {
+            double angle = 4.5 * Math.PI * i / steps;
+            double radiusM = 1.1 * widthM + angle / Math.PI * widthM;
+            int back = corners.length - 2 - 2 * i;
+            corners[2 * i] = 120 + (radiusM + widthM / 2) * Math.cos(angle);
+            corners[2 * i + 1] = (radiusM + widthM / 2) * Math.sin(angle);
+            corners[back] = 120 + (radiusM - widthM / 2) * Math.cos(angle);
+            corners[back + 1] = (radiusM - widthM / 2) * Math.sin(angle);
+        }
+        return corners;
+    }
+
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
     void boatKeepsToAnyPathInCalmWater(long seed) {
