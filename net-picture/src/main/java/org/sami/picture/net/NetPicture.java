@@ -34,11 +34,17 @@ public final class NetPicture {
 
     private final NetDrawing drawing;
     private final TextBlock title;
-    private final TextBlock key = TextBlock.of(List.of(KEY), TextStyle.NOTE, NetFonts::width);
+    private final TextBlock key;
 
     /** The picture of a drawing; its texts were measured by {@link NetFonts#width}. */
     public NetPicture(NetDrawing drawing) {
+        this(drawing, KEY);
+    }
+
+    /** @param key a line that says what the words and lines mean */
+    public NetPicture(NetDrawing drawing, String key) {
         this.drawing = drawing;
+        this.key = TextBlock.of(List.of(key), TextStyle.NOTE, NetFonts::width);
         title = TextBlock.of(List.of(drawing.title()), TextStyle.TITLE, NetFonts::width);
     }
 

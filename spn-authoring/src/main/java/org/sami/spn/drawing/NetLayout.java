@@ -1,6 +1,7 @@
 package org.sami.spn.drawing;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
@@ -52,6 +53,16 @@ public final class NetLayout {
     /** Draws a plan in layers from left to right, whatever its author has laid out. */
     public static NetDrawing layered(Plan plan, Vocabulary vocabulary, TextMeasure measure) {
         return new LayeredLayout(plan, new NetTexts(plan, vocabulary, measure)).draw();
+    }
+
+    /**
+     * Draws a plan in layers with other words at its edges than their requirements.
+     *
+     * @param edgeWords the lines at each edge, by its id; edges without have no words
+     */
+    public static NetDrawing layered(
+            Plan plan, Vocabulary vocabulary, TextMeasure measure, Map<String, List<String>> edgeWords) {
+        return new LayeredLayout(plan, new NetTexts(plan, vocabulary, measure, NetDetail.READER, edgeWords)).draw();
     }
 
     /**

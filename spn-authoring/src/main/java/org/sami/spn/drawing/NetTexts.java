@@ -26,6 +26,16 @@ final class NetTexts {
     }
 
     NetTexts(Plan plan, Vocabulary vocabulary, TextMeasure measure, NetDetail detail) {
+        this(plan, vocabulary, measure, detail, EdgeWords.of(plan));
+    }
+
+    /** @param edgeWords the lines at each edge, by its id */
+    NetTexts(
+            Plan plan,
+            Vocabulary vocabulary,
+            TextMeasure measure,
+            NetDetail detail,
+            Map<String, List<String>> edgeWords) {
         this.measure = measure;
         for (Place place : plan.places()) {
             add(place.id(), VertexWords.of(place, vocabulary, detail));
@@ -33,7 +43,7 @@ final class NetTexts {
         for (Transition transition : plan.transitions()) {
             add(transition.id(), VertexWords.of(transition, vocabulary, detail));
         }
-        EdgeWords.of(plan).forEach((id, lines) -> {
+        edgeWords.forEach((id, lines) -> {
             if (detail.requirements()) {
                 add(id, TextBlock.of(lines, TextStyle.EDGE, measure));
             }

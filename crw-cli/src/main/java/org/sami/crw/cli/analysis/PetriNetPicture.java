@@ -1,24 +1,32 @@
 package org.sami.crw.cli.analysis;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.IntPredicate;
 import org.sami.petri.net.ArcTable;
 import org.sami.petri.net.PetriNet;
+import org.sami.picture.NetFonts;
 import org.sami.picture.net.NetPicture;
+import org.sami.spn.drawing.NetLayout;
 import org.sami.spn.edit.PlanBuilder;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
 import org.sami.spn.model.OutRequirement;
+import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /**
- * The picture of a place/transition net, drawn as a plan of generic tokens in layers: an arc of weight 1 has no words, an inhibitor arc says of how many tokens there must be
- * fewer, a reset arc is dashed, and the tokens of the initial marking stand behind the names of places.
+ * The picture of a place/transition net, drawn as a plan of generic tokens in layers: an arc has its weight unless that is 1, an inhibitor arc says of how many tokens there
+ * must be fewer, a reset arc is dashed, and the tokens of the initial marking stand behind the names of places.
  */
 final class PetriNetPicture {
+    private static final String KEY =
+            "A number is the weight of an arc; < 1 asks that there are fewer tokens than 1 and takes none; dashed lines empty a place.";
+
     private final PetriNet net;
     private final IntPredicate isDrawn;
     private final PlanBuilder plan;
@@ -40,7 +48,33 @@ final class PetriNetPicture {
         for (int t = 0; t < net.transitionCount(); t++) {
             picture.arcs(t);
         }
-        return NetPicture.of(picture.plan.build(), vocabulary, true).svg();
+        Plan drawn = picture.plan.build();
+        return new NetPicture(NetLayout.layered(drawn, vocabulary, NetFonts::width, words(drawn)), KEY).svg();
+    }
+
+    /** The weights at the arcs, by the ids of the edges that stand for them. */
+    private static Map<String, List<String>> words(Plan drawn) {
+        Map<String, List<String>> words = new HashMap<>();
+        drawn.inEdges()
+                .forEach(edge -> words.put(
+                        edge.id(),
+                        edge.requirements().stream()
+                                .filter(r -> r.kind() != TokenKind.UNCONDITIONAL)
+                                .map(r -> r.match() == Match.LESS_THAN ? "< " + r.n() : weight(r.n()))
+                                .filter(text -> !text.isEmpty())
+                                .toList()));
+        drawn.outEdges()
+                .forEach(edge -> words.put(
+                        edge.id(),
+                        edge.requirements().stream()
+                                .map(r -> weight(r.n()))
+                                .filter(text -> !text.isEmpty())
+                                .toList()));
+        return words;
+    }
+
+    private static String weight(int weight) {
+        return weight == 1 ? "" : String.valueOf(weight);
     }
 
     private void vertices() {
@@ -91,10 +125,7 @@ final class PetriNetPicture {
             needs.add(new InRequirement(TokenKind.GENERIC, Match.AT_LEAST, consumed, ""));
         }
         if (below > 0) {
-            needs.add(
-                    below == 1
-                            ? new InRequirement(TokenKind.GENERIC, Match.ZERO, 0, "")
-                            : new InRequirement(TokenKind.GENERIC, Match.LESS_THAN, below, ""));
+            needs.add(new InRequirement(TokenKind.GENERIC, Match.LESS_THAN, below, ""));
         }
         if (needs.isEmpty() && net.resets().weight(t, place) > 0) {
             needs.add(InRequirement.unconditional());

@@ -20,6 +20,7 @@ import org.sami.spn.plannet.PlanNetTooLargeException;
 import org.sami.spn.planspace.PlanQueries;
 import org.sami.spn.planspace.PlanQueryAnswer;
 import org.sami.spn.planspace.PlanQueryAnswer.Result;
+import org.sami.spn.planspace.PlanWitness;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Answers the queries that are saved with the plans of a project, by searches of their nets, and says what came of each. */
@@ -88,13 +89,14 @@ final class SavedQueries {
             if (answer.result() == Result.UNEXPECTED) {
                 answer.witness().ifPresent(witness -> {
                     witness.words().forEach(firing -> out.println("    " + firing));
-                    out.println("    then "
-                            + (witness.endWords().isEmpty()
-                                    ? "no token anywhere"
-                                    : String.join("; ", witness.endWords())));
+                    out.println("    then " + words(witness));
                 });
             }
         }
+    }
+
+    private static String words(PlanWitness witness) {
+        return witness.endWords().isEmpty() ? "no token anywhere" : String.join("; ", witness.endWords());
     }
 
     private static String word(PlanQueryAnswer answer) {
@@ -119,13 +121,11 @@ final class SavedQueries {
                     .put("expect", answer.query().expected().name().toLowerCase(Locale.ROOT))
                     .put("result", answer.result().name().toLowerCase(Locale.ROOT))
                     .put("answer", answer.words());
-            if (answer.isShown()) {
+            answer.witness().ifPresent(witness -> {
                 ArrayNode run = node.putArray("run");
-                answer.run().forEach(firing -> run.add(firing.words()));
-                node.put(
-                        "marking",
-                        answer.markings().get(answer.markings().size() - 1).words());
-            }
+                witness.words().forEach(run::add);
+                node.put("marking", words(witness));
+            });
         }
     }
 }

@@ -72,7 +72,7 @@ class SavedQueriesTest {
                 .containsPattern("    then .*Execute paths: .*robot-1");
         assertThat(json.at("/queries/0/result").asText()).isEqualTo("unexpected");
         assertThat(json.at("/queries/0/run")).isNotEmpty();
-        assertThat(json.at("/queries/0/marking").asText()).contains("execute: ");
+        assertThat(json.at("/queries/0/marking").asText()).contains("Execute paths: ");
     }
 
     @Test
