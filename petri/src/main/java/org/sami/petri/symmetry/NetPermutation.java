@@ -12,6 +12,9 @@ final class NetPermutation {
     /** The places that it moves, in ascending order. */
     private final int[] moved;
 
+    /** Those of the moved places that have to be compared with their images: one of each two that are exchanged. */
+    private final int[] compared;
+
     NetPermutation(int[] places, int[] transitions) {
         this.places = places;
         this.transitions = transitions;
@@ -23,6 +26,10 @@ final class NetPermutation {
             }
         }
         moved = Arrays.copyOf(all, count);
+        boolean isExchange = Arrays.stream(moved).allMatch(place -> places[places[place]] == place);
+        compared = isExchange
+                ? Arrays.stream(moved).filter(place -> place < places[place]).toArray()
+                : moved;
     }
 
     int place(int place) {
@@ -73,7 +80,7 @@ final class NetPermutation {
      * @return whether it did
      */
     boolean enlarge(int[] marking, int[] room) {
-        for (int place : moved) {
+        for (int place : compared) {
             int change = marking[places[place]] - marking[place];
             if (change < 0) {
                 return false;
@@ -88,7 +95,7 @@ final class NetPermutation {
 
     /** Whether a marking is the same afterwards. */
     boolean fixes(int[] marking) {
-        for (int place : moved) {
+        for (int place : compared) {
             if (marking[places[place]] != marking[place]) {
                 return false;
             }

@@ -81,7 +81,7 @@ public final class AnalyseAllCommand implements Callable<Integer> {
             names = "--states",
             paramLabel = "N",
             description = "How many states of a net are looked at. Default: " + STANDARD_STATES
-                    + ", fewer in nets of more than 200 transitions, of which there may be 10000 at most.")
+                    + ", fewer in nets of more than 300 transitions, of which there may be 10000 at most.")
     private int states;
 
     @Override

@@ -24,7 +24,7 @@ final class AnalysedPlans {
 
     private final DomainLibrary library;
     /** So many states times transitions are looked at where nobody says how many states: seconds at most. */
-    private static final long MOST_LOOKS = 10_000_000;
+    private static final long MOST_LOOKS = 15_000_000;
 
     /** A net with more transitions is too large for a table. */
     private static final int MOST_TRANSITIONS = 10_000;
