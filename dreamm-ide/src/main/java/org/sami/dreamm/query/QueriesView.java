@@ -26,6 +26,7 @@ public final class QueriesView extends FoldingPanel {
     private static final List<String> COMMANDS = List.of(
             "query-all",
             "query-one",
+            "query-happen",
             "query-stop",
             "query-show",
             "query-back",
@@ -76,6 +77,10 @@ public final class QueriesView extends FoldingPanel {
         add(foot(), BorderLayout.SOUTH);
         table.addSelectionListener(this::selected);
         foldBelowWidth(NARROW, this::putTextBelow);
+        commands.addAskListener(asked -> {
+            table.selectKeys(Set.of(asked));
+            selected();
+        });
         answers.addListener(this::refresh);
         witness.addListener(this::refresh);
         refresh();

@@ -3,6 +3,7 @@ package org.sami.dreamm.query;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -10,6 +11,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.spn.edit.ProjectEdit;
 import org.sami.spn.model.PlanQuery;
+import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.planspace.PlanQueryAnswer;
 import org.sami.spn.planspace.PlanWitness;
@@ -21,13 +23,16 @@ public final class QueryCommands {
     private final QueryAnswers answers;
     private final WitnessOnNet witness;
     private final Supplier<List<String>> robots;
+    private final Supplier<Optional<StartMarking>> marked;
     private final BooleanSupplier hasErrors;
+    private final List<Consumer<String>> asking = new CopyOnWriteArrayList<>();
     private Optional<String> selected = Optional.empty();
 
     /**
      * Adds the commands to a window's.
      *
      * @param robots names of the robots with which a plan is searched
+     * @param marked where tokens were put for a start
      * @param hasErrors whether the project has errors: then it is not searched
      * @param player plays a run of the open plan
      */
@@ -36,12 +41,14 @@ public final class QueryCommands {
             QueryAnswers answers,
             WitnessOnNet witness,
             Supplier<List<String>> robots,
+            Supplier<Optional<StartMarking>> marked,
             BooleanSupplier hasErrors,
             Consumer<TestCase> player) {
         this.context = Objects.requireNonNull(context, "context");
         this.answers = answers;
         this.witness = witness;
         this.robots = robots;
+        this.marked = marked;
         this.hasErrors = hasErrors;
         add("query-all", "Answer all queries", "ctrl F12", "run-on", this::askAll, this::whyNotAsk);
         add(
@@ -51,6 +58,7 @@ public final class QueryCommands {
                 "play",
                 this::askOne,
                 () -> whyNotAsk().or(this::whyNone));
+        add("query-happen", "Can this happen?", "shift F11", "help", this::askMarking, this::whyNotAskMarking);
         add(
                 "query-stop",
                 "Stop answering",
@@ -78,6 +86,11 @@ public final class QueryCommands {
             @Override
             public void planOpened() {
                 witness.end();
+            }
+
+            @Override
+            public void selectionChanged() {
+                context.commands().refresh();
             }
         });
     }
@@ -130,6 +143,10 @@ public final class QueryCommands {
         if (answers.queries().isEmpty()) {
             return Optional.of("the open plan has no query");
         }
+        return whyErrors();
+    }
+
+    private Optional<String> whyErrors() {
         return hasErrors.getAsBoolean()
                 ? Optional.of("there are errors: mend those first, plans with errors are not searched")
                 : Optional.empty();
@@ -164,6 +181,37 @@ public final class QueryCommands {
 
     private void askOne() {
         row().ifPresent(row -> answers.ask(List.of(row.query()), robots.get()));
+    }
+
+    /** Keeps and answers the question whether tokens can stand as they are marked. */
+    private void askMarking() {
+        asked().ifPresent(query -> {
+            keep(query);
+            asking.forEach(listener -> listener.accept(query.name()));
+            answers.ask(List.of(query), robots.get());
+        });
+    }
+
+    private Optional<PlanQuery> asked() {
+        return context.editor()
+                .plan()
+                .flatMap(plan ->
+                        AskedMarking.of(plan, marked.get(), context.editor().selection()));
+    }
+
+    private Optional<String> whyNotAskMarking() {
+        if (answers.isRunning()) {
+            return Optional.of("queries are being answered already");
+        }
+        return whyErrors()
+                .or(() -> asked().isPresent()
+                        ? Optional.empty()
+                        : Optional.of("select places on the net, or put tokens into them for a start (Try it)"));
+    }
+
+    /** Calls somebody with the name of a query that a command keeps and answers. */
+    void addAskListener(Consumer<String> listener) {
+        asking.add(listener);
     }
 
     private void show() {

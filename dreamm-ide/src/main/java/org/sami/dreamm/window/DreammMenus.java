@@ -119,6 +119,7 @@ final class DreammMenus {
                 "",
                 "query-all",
                 "query-one",
+                "query-happen",
                 "query-stop",
                 "query-show",
                 "query-back",

@@ -28,6 +28,7 @@ import org.sami.dreamm.tryout.TryOutCommands;
 import org.sami.dreamm.tryout.TryOutOverlay;
 import org.sami.dreamm.tryout.TryOutPanel;
 import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStart;
 import org.sami.ui.EventThread;
 
 /** What checks and runs the plan that is written, for the panels of one window: models, commands, and threads of their own. */
@@ -81,6 +82,7 @@ final class RunParts implements AutoCloseable {
                 queries,
                 witness,
                 tryOut::robotNames,
+                () -> setup.start().map(TestStart::marking),
                 () -> issues.all().stream().anyMatch(issue -> issue.finding().isError()),
                 run -> {
                     context.editor().planId().ifPresent(plan -> tryOut.play(plan, run));

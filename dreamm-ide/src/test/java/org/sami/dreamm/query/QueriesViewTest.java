@@ -28,7 +28,9 @@ import org.sami.palette.Theme;
 import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.PlanQuery;
+import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
+import org.sami.spn.model.TestStart;
 import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
 
@@ -42,6 +44,7 @@ class QueriesViewTest {
     private final AtomicReference<TestCase> played = new AtomicReference<>();
     private DreammContext context;
     private QueriesView view;
+    private final StartMarkingSetup setup = new StartMarkingSetup();
     private boolean hasErrors;
 
     @BeforeEach
@@ -54,10 +57,15 @@ class QueriesViewTest {
         TryOut tryOut = new TryOut(context.document());
         SavedCases cases = new SavedCases(context.document(), context.editor(), Runnable::run, Runnable::run);
         QueryAnswers answers = new QueryAnswers(context.document(), context.editor(), searches::add, Runnable::run);
-        WitnessOnNet witness =
-                new WitnessOnNet(context.overlay(), new TryOutOverlay(context, tryOut, new StartMarkingSetup(), cases));
+        WitnessOnNet witness = new WitnessOnNet(context.overlay(), new TryOutOverlay(context, tryOut, setup, cases));
         QueryCommands commands = new QueryCommands(
-                context, answers, witness, () -> List.of("robot-1", "robot-2"), () -> hasErrors, played::set);
+                context,
+                answers,
+                witness,
+                () -> List.of("robot-1", "robot-2"),
+                () -> setup.start().map(TestStart::marking),
+                () -> hasErrors,
+                played::set);
         view = new QueriesView(context, answers, witness, commands);
         Layout.layOut(view, 800, 300);
     }
@@ -115,6 +123,28 @@ class QueriesViewTest {
         context.commands().get("query-play").run();
         assertThat(shown()).isEmpty();
         assertThat(played.get().steps()).hasSize(4);
+    }
+
+    @Test
+    void whetherRobotsCanStandInPlacesIsAskedBySelectingOrMarkingThem() {
+        assertThat(can("query-happen")).isFalse();
+
+        context.editor().select(List.of("execute", "finished"));
+        context.commands().get("query-happen").run();
+        searches.remove().run();
+
+        assertThat(saved())
+                .extracting(PlanQuery::text)
+                .containsExactly("reachable m(execute.robots) >= 1 and m(finished.robots) >= 1");
+        assertThat(table().getValueAt(0, 0)).hasToString("met");
+        assertThat(can("query-play")).as("the run that shows it").isTrue();
+
+        setup.put(new StartMarking.Tokens("finished", 0, List.of("robot-1", "robot-2", "robot-3"), List.of()));
+        context.commands().get("query-happen").run();
+        searches.remove().run();
+
+        assertThat(saved().get(1).text()).isEqualTo("reachable m(finished.robots) >= 3");
+        assertThat(message()).as("there are two").contains("such a marking is never reached");
     }
 
     private List<String> shown() {
