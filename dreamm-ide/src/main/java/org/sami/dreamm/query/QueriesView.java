@@ -1,6 +1,7 @@
 package org.sami.dreamm.query;
 
 import java.awt.BorderLayout;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -35,6 +36,12 @@ public final class QueriesView extends FoldingPanel {
             "query-remove");
 
     private static final int NARROW = 640;
+
+    /** Which button begins the second row in a narrow panel. */
+    private static final int FIRST_BELOW = 4;
+
+    private static final String BUTTON = "hmin 32, wmin 32";
+    private static final String MESSAGE = "w 0, wmin 0, growx, pushx";
     private static final String NAME = "cell 0 0, wmin 40, hmin 32";
     private static final String NAME_ABOVE = "cell 0 0 2 1, growx, wmin 40, hmin 32";
     private static final String TEXT = "cell 1 0, wmin 60, hmin 32";
@@ -50,6 +57,8 @@ public final class QueriesView extends FoldingPanel {
     private final JComboBox<String> expected = new JComboBox<>(new String[] {"yes", "no"});
     private final JButton keep = new JButton("Keep");
     private final JLabel message = new JLabel();
+    private final transient List<JButton> buttons = new ArrayList<>();
+    private final transient MigLayout buttonCells = new MigLayout("novisualpadding, insets 0, gap 6, hidemode 3");
     private final transient MigLayout draftCells =
             new MigLayout("novisualpadding, insets 0, gap 6", "[30%, fill][grow, fill][][]");
 
@@ -116,23 +125,26 @@ public final class QueriesView extends FoldingPanel {
         draft.add(expected, "cell 2 0, hmin 32");
         draft.add(keep, "cell 3 0, hmin 32");
         foot.add(draft, "wmin 0");
-        JPanel buttons = new JPanel(new MigLayout("novisualpadding, insets 0, gap 6, hidemode 3"));
-        buttons.setOpaque(false);
+        JPanel row = new JPanel(buttonCells);
+        row.setOpaque(false);
         for (String id : COMMANDS) {
-            context.commands()
-                    .find(id)
-                    .ifPresent(command -> buttons.add(CommandButton.iconOnly(command), "hmin 32, wmin 32"));
+            context.commands().find(id).map(CommandButton::iconOnly).ifPresent(button -> {
+                buttons.add(button);
+                row.add(button, BUTTON);
+            });
         }
         message.setName("queries-message");
-        buttons.add(message, "w 0, wmin 0, growx, pushx");
-        foot.add(buttons, "wmin 0");
+        row.add(message, MESSAGE);
+        foot.add(row, "wmin 0");
         return foot;
     }
 
-    /** In a narrow panel the question has a row of its own. */
+    /** In a narrow panel the question and the answer have rows of their own, and buttons stand in two. */
     private void putTextBelow(boolean below) {
         draftCells.setComponentConstraints(name, below ? NAME_ABOVE : NAME);
         draftCells.setComponentConstraints(text, below ? TEXT_BELOW : TEXT);
+        buttonCells.setComponentConstraints(buttons.get(FIRST_BELOW), below ? BUTTON + ", newline" : BUTTON);
+        buttonCells.setComponentConstraints(message, below ? MESSAGE + ", newline, span" : MESSAGE);
     }
 
     private static void named(JTextField field, String id, String placeholder, String words) {
