@@ -42,6 +42,7 @@ public final class QueriesView extends FoldingPanel {
 
     private static final String BUTTON = "hmin 32, wmin 32";
     private static final String MESSAGE = "w 0, wmin 0, growx, pushx";
+    private static final String MESSAGE_BELOW = "newline, span, w 100%, wmin 0";
     private static final String NAME = "cell 0 0, wmin 40, hmin 32";
     private static final String NAME_ABOVE = "cell 0 0 2 1, growx, wmin 40, hmin 32";
     private static final String TEXT = "cell 1 0, wmin 60, hmin 32";
@@ -144,7 +145,7 @@ public final class QueriesView extends FoldingPanel {
         draftCells.setComponentConstraints(name, below ? NAME_ABOVE : NAME);
         draftCells.setComponentConstraints(text, below ? TEXT_BELOW : TEXT);
         buttonCells.setComponentConstraints(buttons.get(FIRST_BELOW), below ? BUTTON + ", newline" : BUTTON);
-        buttonCells.setComponentConstraints(message, below ? MESSAGE + ", newline, span" : MESSAGE);
+        buttonCells.setComponentConstraints(message, below ? MESSAGE_BELOW : MESSAGE);
     }
 
     private static void named(JTextField field, String id, String placeholder, String words) {
