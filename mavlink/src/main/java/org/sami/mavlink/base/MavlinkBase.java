@@ -51,7 +51,8 @@ import org.sami.mavlink.vehicle.VehicleTable;
  */
 public final class MavlinkBase implements AutoCloseable {
     private static final long HEARTBEAT_MS = 1_000;
-    private static final long TICK_MS = 20; // what an autopilot needs for an item of a list
+    private static final long TICK_MS = 100;
+    private static final long ITEM_MS = 20; // what an autopilot needs for an item of a list
     private static final int UNHANDLED = 2_000; // messages that may wait; a link that brings more waits itself
 
     private final LongSupplier nowMs;
@@ -64,6 +65,7 @@ public final class MavlinkBase implements AutoCloseable {
     private final MavlinkBaseOptions options;
     private final Map<VehicleId, VehicleExchanges> exchanges = new HashMap<>();
     private final Map<VehicleId, KeyGiving> keys = new HashMap<>();
+    private boolean movesLists; // the tick of lists is scheduled
     private final List<Consumer<VehicleEvent>> listeners = new CopyOnWriteArrayList<>();
 
     /** A base that keeps nothing and signs nothing. */
@@ -114,7 +116,10 @@ public final class MavlinkBase implements AutoCloseable {
      */
     public CompletableFuture<List<MissionItem>> held(VehicleId vehicle, HeldKind kind) {
         CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
-        owner.execute(() -> exchangesOf(vehicle).lists().read(kind, nowMs.getAsLong(), result));
+        owner.execute(() -> {
+            exchangesOf(vehicle).lists().read(kind, nowMs.getAsLong(), result);
+            moveLists();
+        });
         return result;
     }
 
@@ -128,7 +133,10 @@ public final class MavlinkBase implements AutoCloseable {
     public CompletableFuture<List<MissionItem>> replace(VehicleId vehicle, HeldKind kind, List<MissionItem> items) {
         List<MissionItem> copy = List.copyOf(items);
         CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
-        owner.execute(() -> exchangesOf(vehicle).lists().replace(kind, copy, nowMs.getAsLong(), result));
+        owner.execute(() -> {
+            exchangesOf(vehicle).lists().replace(kind, copy, nowMs.getAsLong(), result);
+            moveLists();
+        });
         return result;
     }
 
@@ -309,6 +317,22 @@ public final class MavlinkBase implements AutoCloseable {
         exchanges.values().forEach(open -> open.tick(now));
         keys.values().removeIf(giving -> giving.tick(now));
         asking.tick(now, this::ask);
+    }
+
+    /** Looks after lists more often than after all else, as long as any is read or sent. */
+    private void moveLists() {
+        boolean isAny = exchanges.values().stream().anyMatch(open -> open.lists().isBusy());
+        if (isAny && !movesLists) {
+            movesLists = true;
+            var unused = owner.schedule(this::tickLists, ITEM_MS, TimeUnit.MILLISECONDS);
+        }
+    }
+
+    private void tickLists() {
+        movesLists = false;
+        long now = nowMs.getAsLong();
+        exchanges.values().forEach(open -> open.lists().tick(now));
+        moveLists();
     }
 
     private void ask(VehicleId vehicle, MessagePlan plan) {

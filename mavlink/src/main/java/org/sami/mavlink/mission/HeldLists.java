@@ -84,6 +84,11 @@ public final class HeldLists {
         goOn(nowMs);
     }
 
+    /** Whether a list is being read or sent, or waits for that. */
+    public boolean isBusy() {
+        return !waiting.isEmpty();
+    }
+
     /** Sends again what is overdue. */
     public void tick(long nowMs) {
         now().ifPresent(transfer -> transfer.tick(nowMs));
