@@ -30,18 +30,7 @@ class CopterWindowTest {
         assumeFalse(
                 GraphicsEnvironment.isHeadless(),
                 () -> "there is no display; get one by: " + System.getProperty("window.install"));
-        StartOptions options = new StartOptions(
-                List.of(),
-                Optional.empty(),
-                Optional.of(Theme.LIGHT),
-                Optional.of(100),
-                Optional.of(false),
-                Optional.empty(),
-                Optional.empty(),
-                Optional.empty(),
-                StartOptions.Near.WHEN_ASKED,
-                "uav");
-        try (OpenedWindow opened = OpenedWindow.open(options, folder)) {
+        try (OpenedWindow opened = OpenedWindow.open(options("uav"), folder)) {
             robot.untilSaid("boats-count", "5 of 5 copters");
 
             List<String> texts = WindowRobot.ask(() -> opened.window().commands().all().stream()
@@ -63,6 +52,44 @@ class CopterWindowTest {
                     "the copters stand at the top left",
                     () -> table().isShowing() && table().getLocationOnScreen().y < below);
         }
+    }
+
+    /** In the window's least size: each row has its mark, what it is, and its name. */
+    @Test
+    void namesOfATeamAreWhole() throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        try (OpenedWindow opened = OpenedWindow.open(options("team"), folder)) {
+            robot.untilSaid("boats-count", "5 of 5 robots");
+            WindowRobot.ask(() -> {
+                opened.window().frame().setSize(1280, 800);
+                opened.window().frame().validate();
+                return true;
+            });
+
+            robot.until(
+                    "names have room",
+                    () -> IntStream.range(0, table().getRowCount())
+                            .allMatch(row -> table().prepareRenderer(table().getCellRenderer(row, 0), row, 0)
+                                            .getPreferredSize()
+                                            .width
+                                    <= table().getColumnModel().getColumn(0).getWidth()));
+        }
+    }
+
+    private static StartOptions options(String domain) {
+        return new StartOptions(
+                List.of(),
+                Optional.empty(),
+                Optional.of(Theme.LIGHT),
+                Optional.of(100),
+                Optional.of(false),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                StartOptions.Near.WHEN_ASKED,
+                domain);
     }
 
     private JTable table() {

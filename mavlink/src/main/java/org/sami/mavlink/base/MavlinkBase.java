@@ -321,7 +321,8 @@ public final class MavlinkBase implements AutoCloseable {
 
     /** Looks after lists more often than after all else, as long as any is read or sent. */
     private void moveLists() {
-        boolean isAny = exchanges.values().stream().anyMatch(open -> open.lists().isBusy());
+        boolean isAny =
+                exchanges.values().stream().anyMatch(open -> open.lists().isBusy());
         if (isAny && !movesLists) {
             movesLists = true;
             var unused = owner.schedule(this::tickLists, ITEM_MS, TimeUnit.MILLISECONDS);

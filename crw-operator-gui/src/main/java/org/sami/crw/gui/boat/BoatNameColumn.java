@@ -17,6 +17,7 @@ import org.sami.ui.table.RowTable;
 public final class BoatNameColumn {
     private static final int NAME_WIDTH = 92;
     private static final int KIND_PX = 14;
+    private static final int KIND_WIDTH = KIND_PX + 8; // with the gap before it
 
     private BoatNameColumn() {}
 
@@ -26,7 +27,8 @@ public final class BoatNameColumn {
      * @param boat the boat of a row
      */
     public static <R> RowColumn<R> names(OperatorContext context, Function<R, String> boat) {
-        return RowColumn.words(context.say("Boat"), NAME_WIDTH, boat)
+        int width = context.robots() == RobotKind.ROBOT ? NAME_WIDTH + KIND_WIDTH : NAME_WIDTH;
+        return RowColumn.words(context.say("Boat"), width, boat)
                 .keepingEnds() // addresses of one network differ there
                 .withIcon(row ->
                         context.models().fleet().boat(boat.apply(row)).map(known -> icon(context, known.boat())));
