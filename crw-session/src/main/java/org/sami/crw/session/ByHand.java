@@ -84,18 +84,27 @@ public final class ByHand {
      * be feared on the way, if anything is.
      */
     public CompletionStage<WayByHand> goTo(String boat, GeoPoint point) {
+        return go(boat, start -> start.to(point), words(boat, point));
+    }
+
+    /** Has an aircraft fly to where it took off, and land there. Refused on the ground, and where it has not said where that is. */
+    public CompletionStage<WayByHand> goHome(String boat) {
+        return go(boat, WayByHand.Start::back, "sent " + boat + " home");
+    }
+
+    private CompletionStage<WayByHand> go(String boat, Function<WayByHand.Start, List<GeoPoint>> way, String words) {
         String command = wish(boat);
         return onBoat(boat, this::start)
                 .thenCombine(
                         replies.of(host.query(view -> limits(boat, view))),
                         (start, limits) -> replies.on(computing, () -> {
-                            FollowPath path = WayByHand.command(command, start, point, limits.way());
+                            FollowPath path = WayByHand.command(command, start, way.apply(start), limits.way());
                             return new Found(
                                     path,
                                     WayByHand.of(start, path, limits.area().fence()));
                         }))
                 .thenCompose(Function.identity())
-                .thenCompose(found -> tell(boat, words(boat, point), proxy -> {
+                .thenCompose(found -> tell(boat, words, proxy -> {
                             if (command.equals(latest.get(boat))) {
                                 proxy.commands().withdraw(Ids.NONE);
                                 proxy.commands().submit(found.command());
@@ -136,7 +145,7 @@ public final class ByHand {
     private WayByHand.Start start(BoatProxy boat) {
         BoatStart at = BoatStart.of(boat, services)
                 .orElseThrow(() -> new RefusedException(boat.boatId() + " has not said where it is"));
-        return new WayByHand.Start(boat.boatId(), at, boat.charge(), boat.home());
+        return new WayByHand.Start(boat.boatId(), at, boat.charge(), boat.home(), boat.isFlying());
     }
 
     private static Limits limits(String boat, EngineView view) {

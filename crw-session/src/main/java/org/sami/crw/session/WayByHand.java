@@ -43,18 +43,43 @@ public record WayByHand(List<GeoPoint> points, List<String> doubts) {
         return points.size() > 2;
     }
 
+    private static final double FLIGHT_M = 20; // at least, of what takes off by hand
+    private static final double AIRBORNE_M = 1;
+
     /**
      * What a way begins with.
      *
      * @param charge that of the boat's battery, if it is known
      * @param home where the boat returns to, if that is known
+     * @param flies whether it does: it goes through the air then, and lands only at its home
      */
-    record Start(String boat, BoatStart at, Optional<Charge> charge, Optional<GeoPoint> home) {
+    record Start(String boat, BoatStart at, Optional<Charge> charge, Optional<GeoPoint> home, boolean flies) {
         Start {
             Objects.requireNonNull(boat, "boat");
             Objects.requireNonNull(at, "at");
             Objects.requireNonNull(charge, "charge");
             Objects.requireNonNull(home, "home");
+        }
+
+        /** Where it goes to come to a point: what flies keeps its altitude, or takes off. */
+        List<GeoPoint> to(GeoPoint point) {
+            double altM = Math.max(point.altM(), Math.max(at.at().altM(), FLIGHT_M));
+            return List.of(flies ? new GeoPoint(point.latDeg(), point.lonDeg(), altM) : point);
+        }
+
+        /**
+         * Where an aircraft goes to land where it took off.
+         *
+         * @throws RefusedException where it is on the ground, or has not said where that is
+         */
+        List<GeoPoint> back() {
+            if (at.at().altM() < AIRBORNE_M) {
+                throw new RefusedException(boat + " is on the ground");
+            }
+            GeoPoint ground = home.orElseThrow(() -> new RefusedException(boat + " has not said where it took off"));
+            List<GeoPoint> way = new ArrayList<>(to(ground));
+            way.add(new GeoPoint(ground.latDeg(), ground.lonDeg(), 0));
+            return way;
         }
     }
 
@@ -63,8 +88,9 @@ public record WayByHand(List<GeoPoint> points, List<String> doubts) {
      *
      * @throws RefusedException where the point lies in a no-go area, or where there is no way
      */
-    static FollowPath command(String id, Start start, GeoPoint to, WayLimits limits) {
-        FollowPath command = FollowPath.goTo(id, Ids.NONE, Ids.NONE, to, Priority.CRITICAL);
+    static FollowPath command(String id, Start start, List<GeoPoint> way, WayLimits limits) {
+        FollowPath command = FollowPath.of(id, Ids.NONE, Ids.NONE, way, Priority.CRITICAL);
+        GeoPoint to = way.get(0);
         GeoPoint from = start.at().at();
         Optional<Water> water =
                 limits.water(Optional.of(from), List.of(to), start.at().error()).filter(one -> !one.isOpen());

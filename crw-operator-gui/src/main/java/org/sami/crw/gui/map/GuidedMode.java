@@ -3,6 +3,8 @@ package org.sami.crw.gui.map;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import org.sami.crw.gui.context.OperatorContext;
@@ -20,6 +22,9 @@ import org.sami.spn.value.GeoPoint;
  * after a way, and when the boats are given back after they were held.
  */
 final class GuidedMode {
+    /** The variable of a project with the place to which boats return. */
+    static final String HOME = "@home";
+
     private final OperatorContext context;
 
     GuidedMode(OperatorContext context) {
@@ -34,6 +39,30 @@ final class GuidedMode {
     void goTo(GeoPoint point) {
         each(boat -> byHand().goTo(boat, point)
                 .thenApply(way -> does(boat, ExplainedCommand.SENT) + words(way) + before(boat)));
+    }
+
+    /**
+     * Has the selected boats go home: aircraft land where they took off, boats go to a place of the project.
+     *
+     * @param ofProject empty where the project has none
+     */
+    void goHome(Optional<GeoPoint> ofProject) {
+        each(boat -> {
+            boolean flies = context.models()
+                    .fleet()
+                    .boat(boat)
+                    .filter(BoatSnapshot::flies)
+                    .isPresent();
+            return (flies ? byHand().goHome(boat) : toHome(boat, ofProject))
+                    .thenApply(way -> does(boat, ExplainedCommand.SENT) + words(way) + before(boat));
+        });
+    }
+
+    private CompletionStage<WayByHand> toHome(String boat, Optional<GeoPoint> ofProject) {
+        return ofProject
+                .map(home -> byHand().goTo(boat, home))
+                .orElseGet(() -> CompletableFuture.failedFuture(
+                        new RefusedException("the project has no point " + HOME + " to which " + boat + " returns")));
     }
 
     private static String words(WayByHand way) {

@@ -50,7 +50,6 @@ import org.sami.ui.window.WindowSettings;
 
 /** The map of the session: boats, ways, areas, measured fields; boats are chosen on it and sent somewhere. */
 public final class MapPanel extends JPanel {
-    private static final String HOME = "@home";
     private static final int LOW = 330;
     private static final int SHOW_MS =
             50; // boats of a large fleet are seen at all times: what comes meanwhile is shown together
@@ -230,13 +229,11 @@ public final class MapPanel extends JPanel {
 
     private void goHome() {
         context.shown().ask(EngineView::globals).thenAccept(globals -> {
-            Value home = globals.get(HOME);
-            if (home instanceof GeoPoint point) {
-                context.notices().show(guided.consequence());
-                guided.goTo(point);
-            } else {
-                context.notices().refused("the project has no point " + HOME + " to return to");
-            }
+            Optional<GeoPoint> home = Optional.ofNullable(globals.get(GuidedMode.HOME))
+                    .filter(GeoPoint.class::isInstance)
+                    .map(GeoPoint.class::cast);
+            context.notices().show(guided.consequence());
+            guided.goHome(home);
         });
     }
 

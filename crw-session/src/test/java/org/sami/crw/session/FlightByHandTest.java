@@ -1,0 +1,45 @@
+package org.sami.crw.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.service.water.CrossTrackError;
+import org.sami.spn.value.GeoPoint;
+
+/** Where a copter flies, and a boat drives, that the operator sends somewhere: a point on the map has no altitude. */
+class FlightByHandTest {
+    private static final GeoPoint CLICKED = GeoPoint.of(45.701, 10.72);
+    private static final GeoPoint HOME = GeoPoint.of(45.7, 10.72);
+
+    private static WayByHand.Start start(double altM, boolean flies, Optional<GeoPoint> home) {
+        return new WayByHand.Start(
+                "kite",
+                new BoatStart(new GeoPoint(45.7, 10.721, altM), CrossTrackError.NONE),
+                Optional.empty(),
+                home,
+                flies);
+    }
+
+    @Test
+    void copterKeepsItsAltitudeAndTakesOffWhereItIsOnTheGround() {
+        assertThat(start(35, true, Optional.empty()).to(CLICKED)).containsExactly(new GeoPoint(45.701, 10.72, 35));
+        assertThat(start(0, true, Optional.empty()).to(CLICKED)).containsExactly(new GeoPoint(45.701, 10.72, 20));
+        assertThat(start(0, false, Optional.empty()).to(CLICKED)).containsExactly(CLICKED);
+    }
+
+    @Test
+    void copterReturnsThroughTheAirAndLandsAtItsHome() {
+        assertThat(start(35, true, Optional.of(HOME)).back())
+                .isEqualTo(List.of(new GeoPoint(45.7, 10.72, 35), new GeoPoint(45.7, 10.72, 0)));
+    }
+
+    @Test
+    void returnIsRefusedOnTheGroundAndWithoutAHome() {
+        assertThatThrownBy(() -> start(0, true, Optional.of(HOME)).back()).hasMessage("kite is on the ground");
+        assertThatThrownBy(() -> start(35, true, Optional.empty()).back())
+                .hasMessage("kite has not said where it took off");
+    }
+}
