@@ -2,11 +2,16 @@ package org.sami.crw.cli.vehicle;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.cli.CommandResult;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.hull.Flow;
+import org.sami.crw.sim.hull.SensorSetting;
 import org.sami.mavlink.testing.SmallBoat;
+import org.sami.mavlink.testing.SmallCopter;
 import org.sami.spn.value.GeoPoint;
 
 /** A simulated boat over TCP and one that speaks MAVLink, in one plan. */
@@ -28,6 +33,32 @@ class MixedFleetTest {
                     .containsPattern("anna +\\d+ m")
                     .containsPattern("mav9 +\\d+ m");
             assertThat(vehicle.movedM()).isGreaterThan(3);
+        } finally {
+            simulated.close();
+        }
+    }
+
+    /** A copter searches; boats of both kinds are there to sample what is seen, and a copter of others sees nothing that MAVLink tells. */
+    @Test
+    void teamOfACopterAndBoatsOfBothKindsComesToItsEnd() throws Exception {
+        Conditions withThermometer =
+                new Conditions(0, 0, Flow.NONE, Flow.NONE, List.of(SensorSetting.parse("temperature")));
+        SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(1, withThermometer);
+        try (SmallCopter copter = new SmallCopter(6, PIER.latDeg() - 0.0003, PIER.lonDeg(), 5);
+                SmallBoat vehicle = new SmallBoat(9, PIER.latDeg(), PIER.lonDeg() + 0.0002, 3)) {
+            String all = simulated.launch("anna", PIER) + "," + copter.address() + "/6," + vehicle.address() + "/9";
+
+            CommandResult ran = CommandResult.crw(
+                    "run", "--domain", "team", "scout-and-sample", "--connect", all, "--area", "60", "--for", "600");
+
+            assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+            assertThat(ran.out())
+                    .contains("outcome             ended")
+                    .contains("The area is searched")
+                    .containsPattern("mav6 +\\d+ m");
+            assertThat(copter.highestM()).isGreaterThan(30);
+            assertThat(copter.isArmed()).isFalse();
+            assertThat(copter.fell()).isFalse();
         } finally {
             simulated.close();
         }

@@ -53,8 +53,10 @@ final class GuidedMode {
                     .boat(boat)
                     .filter(BoatSnapshot::flies)
                     .isPresent();
-            return (flies ? byHand().goHome(boat) : toHome(boat, ofProject))
-                    .thenApply(way -> does(boat, ExplainedCommand.SENT) + words(way) + before(boat));
+            return flies
+                    ? byHand().goHome(boat).thenApply(way -> boat + " flies home and lands" + before(boat))
+                    : toHome(boat, ofProject)
+                            .thenApply(way -> does(boat, ExplainedCommand.SENT) + words(way) + before(boat));
         });
     }
 
