@@ -29,6 +29,8 @@ final class BoatCondition {
     Optional<Sighting> sighting = Optional.empty();
 
     /** The time in milliseconds; it never runs back. */
+    long vesselSeenMs = Long.MIN_VALUE / 2; // when the boat reported a vessel that is not of the base last
+
     long nowMs;
 
     /** Whether the boat still has to report its state; until then the base sends it no command. */

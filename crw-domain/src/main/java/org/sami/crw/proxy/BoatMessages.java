@@ -10,6 +10,7 @@ import org.sami.boat.link.Frame;
 import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.LookoutReadings;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Motion;
 import org.sami.boat.link.Nack;
@@ -98,6 +99,9 @@ final class BoatMessages {
             announcements.add(new FleetEvent.BatteryReported(boatId, battery));
         } else if (message instanceof SensorReport report) {
             BoatReading reading = BoatReading.of(report);
+            if (LookoutReadings.isVessel(reading.sensor(), reading.values())) {
+                condition.vesselSeenMs = condition.nowMs;
+            }
             announcements.add(new FleetEvent.Measured(boatId, reading));
         } else if (message instanceof PanoramaReport report) {
             driver.taken(report);

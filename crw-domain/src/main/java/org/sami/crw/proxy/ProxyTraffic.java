@@ -13,9 +13,12 @@ import org.sami.spn.value.GeoPoint;
  * For the proxy's thread.
  */
 final class ProxyTraffic {
+    private static final long EDGES_PERIOD_MS = 1000;
+
     private final BoatCondition condition;
     private final CommandDriver driver;
     private final ProxyLink link;
+    private long edgesSentMs = Long.MIN_VALUE / 2; // for the sake of a vessel
 
     ProxyTraffic(BoatCondition condition, CommandDriver driver, ProxyLink link) {
         this.condition = condition;
@@ -37,6 +40,16 @@ final class ProxyTraffic {
     Optional<NoGoEdges> noGoEdges() {
         return driver.noGoEdges()
                 .flatMap(edges -> condition.sighting.flatMap(at -> edges.near(GeoPoint.of(at.latDeg(), at.lonDeg()))));
+    }
+
+    /** Whether the boat sees a vessel that is not of the base, and has not received no-go edges for a second. */
+    boolean isDueToEdges(long nowMs) {
+        boolean isDue =
+                nowMs - condition.vesselSeenMs <= TrafficRelay.MAX_AGE_MS && nowMs - edgesSentMs >= EDGES_PERIOD_MS;
+        if (isDue) {
+            edgesSentMs = nowMs;
+        }
+        return isDue;
     }
 
     /** Whether the boat wishes to know of others. */

@@ -106,6 +106,7 @@ public final class TrafficRelay {
 
     /** Sends to the boats that are due. To be called ten times a second; it checks the boats five times a second. */
     public void tick(Collection<BoatProxy> boats, long nowMs) {
+        boats.forEach(boat -> tellEdges(boat, nowMs));
         if (boats.size() < 2 || nowMs - checkedMs < CHECK_MS) {
             return;
         }
@@ -118,6 +119,15 @@ public final class TrafficRelay {
             if (seen.isConcerned && seen.boat.traffic().takesTraffic()) {
                 tell(seen, nowMs);
             }
+        }
+    }
+
+    /** A boat that sees a vessel of nobody's gives way to it outside no-go areas, also where no boat of the base is near. */
+    private static void tellEdges(BoatProxy boat, long nowMs) {
+        if (boat.traffic().isDueToEdges(nowMs)
+                && boat.traffic().takesTraffic()
+                && boat.traffic().noGoEdges().isPresent()) {
+            boat.traffic().tell(new Traffic(List.of(), boat.traffic().noGoEdges()));
         }
     }
 

@@ -13,6 +13,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongFunction;
 import java.util.function.LongSupplier;
+import org.sami.boat.link.LookoutReadings;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.markup.MapRelevance.Visualization;
@@ -27,6 +28,8 @@ import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.MapTracks;
 import org.sami.crw.operator.map.MapViews;
 import org.sami.crw.operator.map.NamedArea;
+import org.sami.crw.operator.map.SeenVessel;
+import org.sami.crw.operator.map.SeenVessels;
 import org.sami.crw.operator.map.SensorChannel;
 import org.sami.crw.operator.map.SensorFields;
 import org.sami.crw.operator.map.SensorLayer;
@@ -60,6 +63,7 @@ public final class MapModel extends Model<MapSnapshot> {
     private final LongSupplier nowMillis;
     private final MapViews views;
     private final MapTracks tracks = new MapTracks();
+    private final SeenVessels vessels = new SeenVessels();
     private final SensorFields fields;
     private final Map<String, BoatSnapshot> boats = new TreeMap<>();
     private Set<Long> shownMissions = Set.of();
@@ -178,6 +182,7 @@ public final class MapModel extends Model<MapSnapshot> {
         events = new MapEvents(nowMillis, missions);
         boats.clear();
         tracks.clear();
+        vessels.clear();
         fields.clear();
         data = List.of();
         channels = List.of();
@@ -226,7 +231,9 @@ public final class MapModel extends Model<MapSnapshot> {
 
     /** Takes up where boats were, and what they measured, in earlier processes of the session. From any thread, before boats are seen. */
     public void restoreHistory(List<ShownTrack> earlier, List<FleetEvent.Measured> readings) {
-        readings.forEach(this::measured);
+        readings.stream()
+                .filter(one -> !one.reading().sensor().equals(LookoutReadings.SENSOR)) // they have gone on since
+                .forEach(this::measured);
         inbox.accept(() -> {
             earlier.forEach(track ->
                     track.points().forEach(point -> tracks.at(track.boat(), point.position(), point.atMillis())));
@@ -236,6 +243,15 @@ public final class MapModel extends Model<MapSnapshot> {
 
     /** A boat has measured. From any thread. */
     void measured(FleetEvent.Measured measured) {
+        if (measured.reading().sensor().equals(LookoutReadings.SENSOR)) {
+            long atMillis = nowMillis.getAsLong();
+            SeenVessel.of(measured.reading())
+                    .ifPresent(vessel -> inbox.accept(() -> {
+                        vessels.seen(vessel, atMillis);
+                        change();
+                    }));
+            return;
+        }
         fields.measured(measured.boat(), measured.reading());
     }
 
@@ -246,6 +262,9 @@ public final class MapModel extends Model<MapSnapshot> {
 
     /** Time has passed: changes that waited are made. */
     void tick(long nowMillis) {
+        if (vessels.tick(nowMillis)) {
+            change();
+        }
         if (events.hasWaiting()) {
             events.due(nowMillis).forEach(this::come);
             changed();
@@ -368,6 +387,7 @@ public final class MapModel extends Model<MapSnapshot> {
         now.forEach(event -> area(event)
                 .flatMap(MapRelevance.Area::point)
                 .ifPresent(point -> places.add(new ShownPlace(event.mission(), event.words(missions), point))));
+        places.addAll(vessels.places());
         places.removeIf(place -> place.mission() != 0 && !isShown(place.mission()));
         return places;
     }

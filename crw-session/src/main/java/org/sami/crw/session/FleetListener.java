@@ -42,6 +42,7 @@ final class FleetListener implements BaseListener {
     private final ListenerList<Consumer<BoatProxy>> finders = new ListenerList<>();
     private final Map<String, Integer> reported = new HashMap<>(); // points that were passed, by command
     private final Set<String> flooding = new HashSet<>();
+    private final VesselNews vesselNews = new VesselNews();
     private volatile boolean closed;
 
     FleetListener(
@@ -182,6 +183,7 @@ final class FleetListener implements BaseListener {
         SensorValue value = SensorValue.of(nowMillis.getAsLong(), boat, reading);
         telemetry.reading(value);
         messages.each(listener -> listener.onReading(value));
+        vesselNews.seen(boat, reading, nowMillis.getAsLong()).ifPresent(messages::tell);
     }
 
     /**

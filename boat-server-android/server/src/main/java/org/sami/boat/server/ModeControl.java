@@ -222,6 +222,7 @@ final class ModeControl {
         double seconds = lastTickMs == Long.MIN_VALUE ? 0 : (nowMs - lastTickMs) / 1000.0;
         lastTickMs = nowMs;
         surroundings.tick(nowMs);
+        surroundings.see(vehicle.vesselsInSight(), nowMs);
         switch (mode) {
             case PATH:
                 return drivePath(nowMs, seconds);

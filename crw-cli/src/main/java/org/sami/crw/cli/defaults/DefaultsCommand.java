@@ -51,6 +51,7 @@ public final class DefaultsCommand implements Callable<Integer> {
         }
         List<DefaultValue> found = Stream.of(
                         FleetValues.all(),
+                        SimulationValues.all(),
                         PlanValues.of(PlanSource.library().vocabulary()),
                         OptionValues.of(spec.root().commandLine()))
                 .flatMap(List::stream)

@@ -82,6 +82,7 @@ final class FleetValues {
                         MotionDefaults.SEPARATION_M,
                         "m",
                         "Distance that boats keep from each other; paths leave room for it.")
+                .number("braking", MotionDefaults.BRAKING_MPS2, "m/s²", "How fast a boat slows down before corners.")
                 .number("battery low", BatteryDefaults.LOW_PERCENT, "%", "Below this charge a battery is low.")
                 .number(
                         "battery critical",

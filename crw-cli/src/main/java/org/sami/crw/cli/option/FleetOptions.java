@@ -1,5 +1,6 @@
 package org.sami.crw.cli.option;
 
+import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.UsageFault;
@@ -93,16 +94,24 @@ final class FleetOptions {
                     + " drift (default: nothing is lost, it reaches everywhere, hold).")
     private @Nullable String radio;
 
+    @Option(
+            names = "--vessels",
+            paramLabel = "FILE",
+            description = "Other vessels and drifting objects on the water of the boats of this process (JSON; see"
+                    + " docs/command-line.md). Boats that see one give way to it (default: none).")
+    private @Nullable Path vessels;
+
     /**
      * The fleet of a run.
      *
      * @param connected how many boats are connected; 0 where the run simulates its own
      * @param seed of all that is drawn
      * @param water of boats in this process
+     * @param folder that the file of vessels is looked for in
      * @throws UsageFault for an option out of its limits
      * @throws IllegalArgumentException if options do not go together
      */
-    FleetSettings fleet(int connected, long seed, Conditions water) {
+    FleetSettings fleet(int connected, long seed, Conditions water, Path folder) {
         int count = connected > 0 ? connected : Optional.ofNullable(boats).orElse(DEFAULT_BOATS);
         UsageFault.unlessWithin("--boats", count, 1, FleetSettings.MOST_BOATS);
         int more = connected == 0 && copters != null ? copters : 0;
@@ -115,7 +124,8 @@ final class FleetOptions {
                 .at(site());
         FleetSettings ranging = rangeM == null ? fleet : fleet.withRangeM(rangeM);
         FleetSettings using = energy == null ? ranging : ranging.with(energy(energy));
-        return radio == null ? using : using.over(radio(radio));
+        FleetSettings linked = radio == null ? using : using.over(radio(radio));
+        return vessels == null ? linked : linked.among(VesselsFile.read(folder.resolve(vessels), "--vessels"));
     }
 
     private static Energy energy(String text) {

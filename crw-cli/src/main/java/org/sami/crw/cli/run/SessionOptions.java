@@ -3,6 +3,7 @@ package org.sami.crw.cli.run;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -19,6 +20,7 @@ import org.sami.crw.cli.option.JournalConverter;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.NetworkOption;
 import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.option.VesselsFile;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.UsageFault;
@@ -97,6 +99,13 @@ final class SessionOptions {
                             + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
                             + " field; of a session that is resumed, its own).")
     private @Nullable NamedConditions conditions;
+
+    @Option(
+            names = "--vessels",
+            paramLabel = "FILE",
+            description = "Other vessels and drifting objects on the water of simulated boats (JSON; see"
+                    + " docs/command-line.md), from the launch of the first boat on.")
+    private @Nullable Path vessels;
 
     @Option(
             names = "--mavlink",
@@ -248,6 +257,9 @@ final class SessionOptions {
         Conditions ofSimulated = asked.water().map(NamedConditions::conditions).orElse(Conditions.CALM);
         SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(
                 1, ofSimulated, HandlerModules.robotsOf(asked.setup().vocabulary()));
+        if (vessels != null) {
+            simulated.among(VesselsFile.read(vessels, "--vessels"));
+        }
         StationLinks stations = new StationLinks(simulated);
         if (mavlink != null && simulated.robots() != RobotKind.BOAT) {
             throw new UsageFault("--mavlink shows boats, and this session has none");

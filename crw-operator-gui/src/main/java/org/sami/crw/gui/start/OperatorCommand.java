@@ -11,10 +11,12 @@ import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.NetworkOption;
+import org.sami.crw.cli.option.VesselsFile;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.FileTooLargeException;
@@ -96,6 +98,13 @@ public final class OperatorCommand implements Callable<Integer> {
                             + "or rough; paths keep that distance from no-go areas (default: calm for simulated boats, "
                             + "else field; of a session that is resumed, its own).")
     private @Nullable NamedConditions conditions;
+
+    @Option(
+            names = "--vessels",
+            paramLabel = "FILE",
+            description = "Other vessels and drifting objects on the water of simulated boats (JSON; see"
+                    + " docs/command-line.md), from the launch of the first boat on.")
+    private @Nullable Path vessels;
 
     @Option(
             names = "--data",
@@ -184,7 +193,16 @@ public final class OperatorCommand implements Callable<Integer> {
                 Optional.ofNullable(at).map(seconds -> Math.round(seconds * 1000)),
                 Optional.ofNullable(conditions),
                 new StartOptions.Near(near, network.address()),
-                domain.equals(StartOptions.BOATS) ? domain : shipped());
+                domain.equals(StartOptions.BOATS) ? domain : shipped(),
+                vessels());
+    }
+
+    private ForeignVessels vessels() {
+        try {
+            return vessels == null ? ForeignVessels.NONE : VesselsFile.read(vessels, "--vessels");
+        } catch (UsageFault e) {
+            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+        }
     }
 
     private String shipped() {

@@ -19,6 +19,7 @@ import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.BoundedFile;
@@ -45,6 +46,7 @@ public final class SessionOpener {
     private final Optional<NamedConditions> conditions;
     private final boolean beginsBuiltIn;
     private final String domain;
+    private ForeignVessels vessels = ForeignVessels.NONE;
     private Optional<NamedConditions> named = Optional.empty();
     private Optional<SimulatedBoatsOnTcp> simulated = Optional.empty();
 
@@ -62,6 +64,7 @@ public final class SessionOpener {
                 options.conditions(),
                 options.hasBuiltInFleet(),
                 options.domain());
+        vessels = options.vessels();
     }
 
     /**
@@ -184,6 +187,7 @@ public final class SessionOpener {
         RobotKind robots = HandlerModules.robotsOf(setup.vocabulary());
         SimulatedBoatsOnTcp launcher = new SimulatedBoatsOnTcp(
                 1, water.map(NamedConditions::conditions).orElse(Conditions.CALM), robots);
+        launcher.among(vessels);
         simulated = Optional.of(launcher);
         SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess()
                 .withFront(EventThread.executor())

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.palette.Theme;
 
 /**
@@ -21,6 +22,7 @@ import org.sami.palette.Theme;
  * @param conditions how simulated boats fare, and boats that do not say it; empty = calm and field, or as the session that is gone on with had it
  * @param near how boats are found on the network
  * @param domain whose plans are run, by the name of its folder
+ * @param vessels on the water of simulated boats
  */
 public record StartOptions(
         List<BoatAddress> boats,
@@ -32,7 +34,8 @@ public record StartOptions(
         Optional<Long> atMillis,
         Optional<NamedConditions> conditions,
         Near near,
-        String domain) {
+        String domain,
+        ForeignVessels vessels) {
     /** The domain of the boats. */
     public static final String BOATS = "crw";
 
@@ -45,6 +48,21 @@ public record StartOptions(
     public record Near(boolean first, Optional<InetAddress> network) {
         /** When somebody asks for them, on all networks. */
         public static final Near WHEN_ASKED = new Near(false, Optional.empty());
+    }
+
+    /** On water without foreign vessels. */
+    public StartOptions(
+            List<BoatAddress> boats,
+            Optional<Path> project,
+            Optional<Theme> theme,
+            Optional<Integer> scale,
+            Optional<Boolean> resume,
+            Optional<Path> replay,
+            Optional<Long> atMillis,
+            Optional<NamedConditions> conditions,
+            Near near,
+            String domain) {
+        this(boats, project, theme, scale, resume, replay, atMillis, conditions, near, domain, ForeignVessels.NONE);
     }
 
     /** A session, without a replay. */

@@ -77,26 +77,31 @@ public final class BoatOnTcp implements Closeable {
     public BoatOnTcp(
             BoatSettings settings, SteadyClock clock, TcpServerListener listener, UnaryOperator<TcpServerConfig> links)
             throws IOException {
-        this(settings, clock, listener, links, new BoatsInSight());
+        this(settings, clock, listener, links, new BoatsInSight(), Optional.empty());
     }
 
     /**
      * Launches the boat on the water of other boats, which its camera sees.
      *
+     * @param vessels that it looks out for; empty where there are none
      * @throws IOException if its port or its log cannot be had
      */
-    public BoatOnTcp(
+    BoatOnTcp(
             BoatSettings settings,
             SteadyClock clock,
             TcpServerListener listener,
             UnaryOperator<TcpServerConfig> links,
-            BoatsInSight water)
+            BoatsInSight water,
+            Optional<VesselsAround> vessels)
             throws IOException {
         name = settings.name();
         this.water = water;
         LocalFrame frame = new LocalFrame(settings.at().latDeg(), settings.at().lonDeg());
         hull = new SimulatedHull(settings.hull(), settings.conditions(), frame, 0, 0, settings.seed());
         instruments = new Instruments(hull, settings.conditions(), settings.seed() ^ INSTRUMENTS, settings.fieldSeed());
+        vessels.filter(any -> hull.altM().isEmpty())
+                .map(around -> around.of(hull, clock))
+                .ifPresent(lookout -> instruments.lookOut(lookout, lookout::inSight));
         hull.setBatteryPercent(settings.batteryPercent());
         batteryPercent = settings.batteryPercent();
         hull.setQuay(Quay.atOrigin());

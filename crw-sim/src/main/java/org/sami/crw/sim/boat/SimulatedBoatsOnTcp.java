@@ -14,6 +14,7 @@ import java.util.function.UnaryOperator;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.BoatCompanion;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -21,6 +22,7 @@ import org.sami.crw.session.SimulatedBoats;
 import org.sami.crw.session.picture.SessionPictures;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.picture.BoatsInSight;
+import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -36,6 +38,8 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
     private final Map<BoatOnTcp, BoatCompanion> companions = new LinkedHashMap<>();
     private Optional<Companions> company = Optional.empty();
     private final BoatsInSight water = new BoatsInSight();
+    private ForeignVessels foreign = ForeignVessels.NONE;
+    private Optional<VesselsAround> vessels = Optional.empty(); // once a boat was launched among them
     private Optional<Path> pictures = Optional.empty();
     private boolean closed;
 
@@ -82,13 +86,27 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
                 .of(robots.ofName(boat))
                 .on(conditions.of(robots))
                 .withPicturesIn(pictures().resolve(boat));
-        BoatOnTcp launched = new BoatOnTcp(settings, clock, TcpServerListener.NONE, UnaryOperator.identity(), water);
+        BoatOnTcp launched =
+                new BoatOnTcp(settings, clock, TcpServerListener.NONE, UnaryOperator.identity(), water, vessels(at));
         boats.add(launched);
         company.ifPresent(each -> attach(each, launched));
         BaseProtection.ofThisProcess().linkPlainly(launched.address(), true);
         return new BoatAddress(
                 launched.address().getAddress().getHostAddress(),
                 launched.address().getPort());
+    }
+
+    /** Has these vessels on the water, from the launch of the first boat on; to be called before it. */
+    public synchronized void among(ForeignVessels others) {
+        foreign = others;
+    }
+
+    private Optional<VesselsAround> vessels(GeoPoint berth) {
+        if (vessels.isEmpty() && !foreign.isEmpty()) {
+            LocalFrame origin = new LocalFrame(berth.latDeg(), berth.lonDeg());
+            vessels = Optional.of(new VesselsAround(foreign, conditions, origin, clock.getAsLong()));
+        }
+        return vessels;
     }
 
     /** What is launched. */

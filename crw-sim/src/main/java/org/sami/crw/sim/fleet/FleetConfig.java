@@ -9,6 +9,7 @@ import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.link.PipeConfig;
 import org.sami.crw.sim.link.Radio;
+import org.sami.crw.sim.vessel.ForeignVessels;
 
 /**
  * What is set for the boats of a simulated fleet; the same for all.
@@ -17,6 +18,7 @@ import org.sami.crw.sim.link.Radio;
  * @param server changes the boat servers' defaults
  * @param trackEveryMs virtual time between two points of the recorded tracks
  * @param radio over which the links are: a boat out of its range has no link
+ * @param vessels that are not of the fleet, on the plane of the fleet
  */
 public record FleetConfig(
         HullConfig hull,
@@ -25,7 +27,8 @@ public record FleetConfig(
         ProxyConfig proxy,
         UnaryOperator<ServerConfig.Builder> server,
         long trackEveryMs,
-        Radio radio) {
+        Radio radio,
+        ForeignVessels vessels) {
 
     /** The defaults of all parts; tracks at 1 Hz. */
     public static final FleetConfig DEFAULT = new FleetConfig(
@@ -35,7 +38,8 @@ public record FleetConfig(
             ProxyConfig.DEFAULT,
             UnaryOperator.identity(),
             1000,
-            Radio.PERFECT);
+            Radio.PERFECT,
+            ForeignVessels.NONE);
 
     /** Refuses tracks without a period. */
     public FleetConfig {
@@ -45,6 +49,7 @@ public record FleetConfig(
         Objects.requireNonNull(proxy, "proxy");
         Objects.requireNonNull(server, "server");
         Objects.requireNonNull(radio, "radio");
+        Objects.requireNonNull(vessels, "vessels");
         if (trackEveryMs < SimulatedFleet.TICK_MS) {
             throw new IllegalArgumentException("a track point every " + trackEveryMs + " ms");
         }
@@ -57,32 +62,32 @@ public record FleetConfig(
 
     /** The same with other hulls. */
     public FleetConfig withHull(HullConfig newHull) {
-        return new FleetConfig(newHull, conditions, pipe, proxy, server, trackEveryMs, radio);
+        return new FleetConfig(newHull, conditions, pipe, proxy, server, trackEveryMs, radio, vessels);
     }
 
     /** The same on other water. */
     public FleetConfig withConditions(Conditions newConditions) {
-        return new FleetConfig(hull, newConditions, pipe, proxy, server, trackEveryMs, radio);
+        return new FleetConfig(hull, newConditions, pipe, proxy, server, trackEveryMs, radio, vessels);
     }
 
     /** The same for who notes down tracks otherwise: boats only know where they began. */
     public FleetConfig withoutTracks() {
-        return new FleetConfig(hull, conditions, pipe, proxy, server, Long.MAX_VALUE, radio);
+        return new FleetConfig(hull, conditions, pipe, proxy, server, Long.MAX_VALUE, radio, vessels);
     }
 
     /** The same with other links. */
     public FleetConfig withPipe(PipeConfig newPipe) {
-        return new FleetConfig(hull, conditions, newPipe, proxy, server, trackEveryMs, radio);
+        return new FleetConfig(hull, conditions, newPipe, proxy, server, trackEveryMs, radio, vessels);
     }
 
     /** The same with another base side. */
     public FleetConfig withProxy(ProxyConfig newProxy) {
-        return new FleetConfig(hull, conditions, pipe, newProxy, server, trackEveryMs, radio);
+        return new FleetConfig(hull, conditions, pipe, newProxy, server, trackEveryMs, radio, vessels);
     }
 
     /** The same with other boat servers. */
     public FleetConfig withServer(UnaryOperator<ServerConfig.Builder> newServer) {
-        return new FleetConfig(hull, conditions, pipe, proxy, newServer, trackEveryMs, radio);
+        return new FleetConfig(hull, conditions, pipe, proxy, newServer, trackEveryMs, radio, vessels);
     }
 
     /** The same with links over a radio. */
@@ -95,6 +100,12 @@ public record FleetConfig(
                 proxy,
                 builder -> before.apply(builder).lostLinkAction(newRadio.lostLink()),
                 trackEveryMs,
-                newRadio);
+                newRadio,
+                vessels);
+    }
+
+    /** The same on water with other vessels. */
+    public FleetConfig withVessels(ForeignVessels others) {
+        return new FleetConfig(hull, conditions, pipe, proxy, server, trackEveryMs, radio, others);
     }
 }

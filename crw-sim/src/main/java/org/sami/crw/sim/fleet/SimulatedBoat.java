@@ -21,6 +21,7 @@ import org.sami.crw.sim.hull.SimulatedHull;
 import org.sami.crw.sim.link.InMemoryPipe;
 import org.sami.crw.sim.picture.RecordingCamera;
 import org.sami.crw.sim.picture.Scene;
+import org.sami.crw.sim.vessel.Lookout;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -68,6 +69,11 @@ public final class SimulatedBoat {
         trackEveryMs = config.trackEveryMs();
         hull = new SimulatedHull(config.hull(), config.conditions(), frame, eastM, northM, seeds.hull());
         instruments = new Instruments(hull, config.conditions(), seeds.instruments(), fieldSeed);
+        if (!config.vessels().isEmpty() && hull.altM().isEmpty()) {
+            Lookout lookout = new Lookout(
+                    config.vessels(), config.conditions(), frame, hull::eastM, hull::northM, () -> nowMs / 1000.0);
+            instruments.lookOut(lookout, lookout::inSight);
+        }
         GeoPoint home = GeoPoint.of(hull.latDeg(), hull.lonDeg());
         camera = new RecordingCamera(id, () -> ahead(fieldSeed, home));
         hull.setCamera(camera);

@@ -34,12 +34,12 @@ public record Flow(double speedMps, double directionDeg) {
     }
 
     /** The eastward part of its speed in m/s, in its direction. */
-    double eastMps() {
+    public double eastMps() {
         return speedMps * StrictMath.sin(Math.toRadians(directionDeg));
     }
 
     /** The northward part of its speed in m/s, in its direction. */
-    double northMps() {
+    public double northMps() {
         return speedMps * StrictMath.cos(Math.toRadians(directionDeg));
     }
 

@@ -5,11 +5,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import org.sami.boat.server.vehicle.Camera;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Sensor;
 import org.sami.boat.server.vehicle.Vehicle;
+import org.sami.boat.server.vehicle.VesselInSight;
 
 /**
  * A hull as its boat server knows it: through a GPS and a compass whose errors wander, and through its sensors. The truth stays
@@ -29,6 +31,7 @@ public final class Instruments implements Vehicle {
     private final boolean exactGps;
     private final Optional<LoggedFixes> fixes; // empty: a position at any time
     private final List<Sensor> sensors = new ArrayList<>();
+    private Supplier<List<VesselInSight>> vesselsInSight = List::of;
     private double trueLatDeg = Double.NaN; // where the hull was when the next two were computed
     private double trueLonDeg;
     private double shownLatDeg;
@@ -64,6 +67,22 @@ public final class Instruments implements Vehicle {
                 GPS_S,
                 conditions.receiver().jumpIntervalS(),
                 new SplittableRandom(seed ^ JUMP_SEED));
+    }
+
+    /**
+     * Adds a lookout for vessels that are not of the boat's base; before the server asks for the sensors.
+     *
+     * @param reports of what it sees, for the base
+     * @param inSight what it sees, for the boat
+     */
+    public void lookOut(Sensor reports, Supplier<List<VesselInSight>> inSight) {
+        sensors.add(reports);
+        vesselsInSight = inSight;
+    }
+
+    @Override
+    public List<VesselInSight> vesselsInSight() {
+        return vesselsInSight.get();
     }
 
     /** Lets time pass for the errors; the hull's own time passes elsewhere. */

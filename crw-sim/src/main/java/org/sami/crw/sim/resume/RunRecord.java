@@ -39,10 +39,11 @@ public record RunRecord(
     /**
      * How simulated boats drive: 1, which headers do not name, straight to the next waypoint; 2 along the lines between them
      * (docs/decisions, 0300); 3 giving way to one another as well (0320); 4 on ways that are allocated otherwise (docs/services.md); 5 outside no-go
-     * areas meanwhile; 6 stopping at once (0300); 7 reading messages at the start of a tick (0316). A run
+     * areas meanwhile; 6 stopping at once (0300); 7 reading messages at the start of a tick (0316); 10 turning
+     * off slowly near no-go areas, in the middle of narrow gaps, with more lanes in jagged areas (docs/services.md). A run
      * of another version cannot be run again.
      */
-    private static final String PRESENT_DRIVING = "9";
+    private static final String PRESENT_DRIVING = "10";
 
     private static final String SOURCE = "source";
     private static final String ANSWERS_FILE = "answersFile";

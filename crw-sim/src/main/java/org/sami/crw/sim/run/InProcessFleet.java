@@ -20,6 +20,7 @@ import org.sami.crw.sim.run.record.RunProgress;
 import org.sami.crw.sim.run.record.TrueTracks;
 import org.sami.crw.sim.run.record.TrueVisits;
 import org.sami.crw.sim.run.settings.FleetSettings;
+import org.sami.crw.sim.run.record.VesselApproaches;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.world.SimulatedWater;
 import org.sami.spn.value.GeoPoint;
@@ -43,6 +44,7 @@ final class InProcessFleet implements RunFleet {
     private final TrueTracks trueTracks;
     private Optional<ReportFolds> report = Optional.empty();
     private Optional<TrueVisits> trueVisits = Optional.empty();
+    private Optional<VesselApproaches> vesselApproaches = Optional.empty();
     private Pacer pacer = Pacer.UNPACED;
     private boolean catchingUp = true;
     private boolean endsWhenStuck = true;
@@ -131,6 +133,11 @@ final class InProcessFleet implements RunFleet {
         trueVisits = Optional.of(visits);
         folds.add(visits);
         folds.add(trueTracks);
+        if (!settings.fleet().inProcess().vessels().isEmpty()) {
+            VesselApproaches approaches = new VesselApproaches(settings.fleet().inProcess().vessels());
+            vesselApproaches = Optional.of(approaches);
+            folds.add(approaches);
+        }
         session.addListener(new SessionListener() {
             @Override
             public void onPassed(String boat, List<GeoPoint> points, long atMillis) {
@@ -141,6 +148,7 @@ final class InProcessFleet implements RunFleet {
 
     @Override
     public void lookForVisits(long nowMillis) {
+        vesselApproaches.ifPresent(approaches -> approaches.look(nowMillis, water.boats(), water.vessels()));
         if (report.orElseThrow().visits().count() > 0) {
             trueVisits.orElseThrow().look(nowMillis, water.boats());
         }

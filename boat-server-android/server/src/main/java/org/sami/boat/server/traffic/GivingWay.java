@@ -77,6 +77,7 @@ public final class GivingWay {
     private final Surroundings surroundings;
     private final Kinematics vehicle;
     private final GoingBack goingBack;
+    private final VesselsInMotion vessels;
     private final Neighbours neighbours;
     private final double turningMps;
     private final double errorMarginM; // for position errors, added to APART_M
@@ -90,6 +91,7 @@ public final class GivingWay {
     private double courseMps;
     private CourseVector line = OFFSETS[0];
     private double offsetM; // of the boat from that line, to starboard
+    private double maxOffsetM = MAX_OFFSET_M; // more around large vessels
     private boolean isOnLine; // or no edge is near
     private NoGoBorder border = NoGoBorder.NONE;
     private double chosenRad = Double.NaN; // while it gives way
@@ -120,6 +122,7 @@ public final class GivingWay {
         this.vehicle = vehicle;
         errorMarginM = errorMarginM(positionErrorM);
         neighbours = new Neighbours(surroundings);
+        vessels = new VesselsInMotion(surroundings);
         goingBack = new GoingBack(surroundings, APART_M + errorMarginM + PASSING_CLEARANCE_M);
     }
 
@@ -190,6 +193,22 @@ public final class GivingWay {
         if (leavesEdge) {
             return goBack(off.get());
         }
+        Optional<LineAhead> aside = hasWay
+                ? vessels.way(
+                        eastM,
+                        northM,
+                        wanted.course(),
+                        wanted.speedMps(),
+                        Math.abs(Stopping.distanceM(speedMps, Stopping.REACTION_S)),
+                        APART_M + errorMarginM + PASSING_CLEARANCE_M,
+                        nowMs)
+                : Optional.empty();
+        if (aside.isPresent()) {
+            if (isFree) {
+                measureStopping(along);
+            }
+            return goBack(aside.get());
+        }
         boolean isBarred = !isOnLine && !border.seesLine();
         Optional<LineAhead> back = hasWay
                 ? goingBack.way(eastM, northM, wanted.courseRad(), standingS, isBarred, nowMs)
@@ -218,6 +237,7 @@ public final class GivingWay {
     private CourseAndSpeed giveWay(LineAhead along, double seconds) {
         line = new CourseVector(along.courseRad());
         offsetM = along.offsetM();
+        maxOffsetM = MAX_OFFSET_M + 2 * neighbours.largestRadiusM();
         boolean waits = speedMps * heading.along(course) < courseMps / 5;
         waitedS = waits ? Math.min(MAX_WAIT_S, waitedS + seconds) : Math.max(0, waitedS - seconds);
         standingS = waits ? standingS + seconds : Math.max(0, standingS - seconds);
@@ -237,6 +257,7 @@ public final class GivingWay {
         courseMps = SIDESTEP_SPEED_MPS;
         line = course;
         offsetM = 0;
+        maxOffsetM = MAX_OFFSET_M;
         measureStopping(along);
         return best();
     }
@@ -376,7 +397,7 @@ public final class GivingWay {
         double thenM = Math.abs(offsetM + mps * direction.across(line) * LOOKAHEAD_S);
         double patience = 1 / (1 + IMPATIENCE_WEIGHT_PER_S * waitedS);
         double offset = patience * OFFSET_WEIGHT_PER_M * Math.max(0, thenM - 0.5);
-        double tooFar = thenM > MAX_OFFSET_M && thenM > Math.abs(offsetM) ? thenM - MAX_OFFSET_M : 0;
+        double tooFar = thenM > maxOffsetM && thenM > Math.abs(offsetM) ? thenM - maxOffsetM : 0;
         boolean waits = Math.abs(mps) < SIDESTEP_SPEED_MPS / 4
                 || (mps < 0 && waitedS > AVOID_BLOCKED_AFTER_S); // going to and fro is no headway
         double waiting = waits ? IMPATIENCE_WEIGHT_PER_S * waitedS : 0;

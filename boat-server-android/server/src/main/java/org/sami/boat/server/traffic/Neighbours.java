@@ -73,8 +73,9 @@ final class Neighbours {
             double awayEastM = other.eastAfterM(sinceS) - atEastM;
             double awayNorthM = other.northAfterM(sinceS) - atNorthM;
             double awayM = Math.sqrt(awayEastM * awayEastM + awayNorthM * awayNorthM);
-            double spareM = awayM - ownM - other.stopsWithinM() - apartM;
-            if (spareM < 0 || awayM - (fastestMps + Math.abs(other.speedMps())) * LOOKAHEAD_S < passingM) {
+            double roomM = awayM - other.radiusM();
+            double spareM = roomM - ownM - other.stopsWithinM() - apartM;
+            if (spareM < 0 || roomM - (fastestMps + Math.abs(other.speedMps())) * LOOKAHEAD_S < passingM) {
                 near[count] = other;
                 eastM[count] = awayEastM;
                 northM[count] = awayNorthM;
@@ -117,7 +118,7 @@ final class Neighbours {
     void measureStopping(double atEastM, double atNorthM, Segment own) {
         for (int i = 0; i < count; i++) {
             stopping[i] = near[i].stoppingAt(atEastM + eastM[i], atNorthM + northM[i]);
-            leastM[i] = own.distanceM(stopping[i], apartM);
+            leastM[i] = own.distanceM(stopping[i], apartM + near[i].radiusM());
         }
     }
 
@@ -144,16 +145,26 @@ final class Neighbours {
             double atS = Math.max(EARLIEST_RISK_S, Math.min(aheadS[i], closestS));
             double thenEastM = eastM[i] + atS * byEast;
             double thenNorthM = northM[i] + atS * byNorth;
-            if (Math.abs(thenEastM) >= passingM || Math.abs(thenNorthM) >= passingM) {
+            double passM = passingM + near[i].radiusM();
+            if (Math.abs(thenEastM) >= passM || Math.abs(thenNorthM) >= passM) {
                 continue;
             }
             double away = PlaneMath.length(thenEastM, thenNorthM);
-            if (away < passingM) {
-                double part = (passingM - away) / passingM;
+            if (away < passM) {
+                double part = (passM - away) / passM;
                 risk += RISK_WEIGHT * part * part / (1 + atS / RISK_HALVING_S);
             }
         }
         return risk;
+    }
+
+    /** The largest radius of those that can come near, in metres. */
+    double largestRadiusM() {
+        double largestM = 0;
+        for (int i = 0; i < count; i++) {
+            largestM = Math.max(largestM, near[i].radiusM());
+        }
+        return largestM;
     }
 
     /** Whether a boat that lies still blocks this course. */
@@ -161,7 +172,7 @@ final class Neighbours {
         for (int i = 0; i < count; i++) {
             double aheadM = eastM[i] * direction.east() + northM[i] * direction.north();
             double asideM = Math.abs(eastM[i] * direction.north() - northM[i] * direction.east());
-            if (near[i].isSlow() && aheadM > 0 && asideM < apartM) {
+            if (near[i].isSlow() && aheadM > 0 && asideM < apartM + near[i].radiusM()) {
                 return true;
             }
         }

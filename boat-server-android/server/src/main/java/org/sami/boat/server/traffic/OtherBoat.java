@@ -11,6 +11,7 @@ final class OtherBoat {
 
     private final String boatId;
     private BoatMode mode = BoatMode.STOPPED;
+    private double radiusM;
     private double eastM;
     private double northM;
     private double speedMps;
@@ -32,10 +33,12 @@ final class OtherBoat {
     /**
      * Takes a newer report.
      *
+     * @param ofRadiusM of the circle that others keep from; 0 for a boat of the fleet
      * @param plane the plane of {@code atEastM} and {@code atNorthM}
      */
-    void update(NearbyBoat row, double atEastM, double atNorthM, LocalFrame plane, long atMs) {
+    void update(NearbyBoat row, double ofRadiusM, double atEastM, double atNorthM, LocalFrame plane, long atMs) {
         mode = row.mode();
+        radiusM = ofRadiusM;
         eastM = atEastM;
         northM = atNorthM;
         speedMps = row.speedMps();
@@ -86,6 +89,11 @@ final class OtherBoat {
 
     double northMps() {
         return northMps;
+    }
+
+    /** Of the circle around it that others keep from, in metres; 0 for a boat of the fleet. */
+    double radiusM() {
+        return radiusM;
     }
 
     double speedMps() {

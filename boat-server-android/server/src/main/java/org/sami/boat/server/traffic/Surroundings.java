@@ -12,6 +12,7 @@ import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
+import org.sami.boat.server.vehicle.VesselInSight;
 
 /**
  * The boats and no-go edges near this boat, as its base has sent them. Old reports are dropped. For the thread that ticks the server.
@@ -36,23 +37,30 @@ public final class Surroundings {
 
     /** Takes a message of the base. For each boat its newest row counts, for no-go edges the newest message. */
     public void update(Traffic traffic, long nowMs) {
-        for (NearbyBoat row : traffic.boats()) {
-            if (!row.boatId().equals(ownId) && row.ageMs() < OLDEST_MS && Math.abs(row.latDeg()) <= 85) {
-                double eastM = plane.eastM(row.latDeg(), row.lonDeg());
-                double northM = plane.northM(row.latDeg(), row.lonDeg());
-                if (PlaneMath.length(eastM, northM) < REACH_M) {
-                    take(row, eastM, northM, nowMs);
-                } else {
-                    others.clear(); // they are on another water
-                    byId.clear();
-                    border = NoGoBorder.NONE;
-                    plane = new LocalFrame(row.latDeg(), row.lonDeg());
-                    take(row, 0, 0, nowMs);
-                }
-            }
-        }
+        traffic.boats().forEach(row -> see(row, 0, nowMs));
         if (!others.isEmpty()) { // otherwise the plane may belong to another water
             border = traffic.noGo().map(edges -> NoGoBorder.of(edges, plane)).orElse(NoGoBorder.NONE);
+        }
+    }
+
+    /** Takes what a lookout on board sees; the no-go edges stay. */
+    public void see(List<VesselInSight> vessels, long nowMs) {
+        vessels.forEach(vessel -> see(vessel.middle(), vessel.radiusM(), nowMs));
+    }
+
+    private void see(NearbyBoat row, double radiusM, long nowMs) {
+        if (!row.boatId().equals(ownId) && row.ageMs() < OLDEST_MS && Math.abs(row.latDeg()) <= 85) {
+            double eastM = plane.eastM(row.latDeg(), row.lonDeg());
+            double northM = plane.northM(row.latDeg(), row.lonDeg());
+            if (PlaneMath.length(eastM, northM) >= REACH_M) {
+                others.clear(); // they are on another water
+                byId.clear();
+                border = NoGoBorder.NONE;
+                plane = new LocalFrame(row.latDeg(), row.lonDeg());
+                eastM = 0;
+                northM = 0;
+            }
+            take(row, radiusM, eastM, northM, nowMs);
         }
     }
 
@@ -61,11 +69,11 @@ public final class Surroundings {
         border = NoGoBorder.NONE;
     }
 
-    private void take(NearbyBoat row, double eastM, double northM, long nowMs) {
+    private void take(NearbyBoat row, double radiusM, double eastM, double northM, long nowMs) {
         OtherBoat other = known(row.boatId());
         long seenMs = nowMs - row.ageMs();
         if (seenMs >= other.seenMs()) {
-            other.update(row, eastM, northM, plane, seenMs);
+            other.update(row, radiusM, eastM, northM, plane, seenMs);
         }
         oldestSeenMs = Math.min(oldestSeenMs, seenMs);
     }

@@ -49,6 +49,11 @@ public interface Vehicle extends Kinematics {
         return "there is no camera on board";
     }
 
+    /** Vessels that a lookout on board sees and that are not of its base; their ages are 0. Empty for a vehicle without a lookout. */
+    default List<VesselInSight> vesselsInSight() {
+        return Collections.emptyList();
+    }
+
     /** Sets the efforts of the port and the starboard motor, -1 (full astern) to 1 (full ahead), until set again. */
     void setMotors(double port, double starboard);
 }

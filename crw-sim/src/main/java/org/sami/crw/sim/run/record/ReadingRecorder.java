@@ -1,6 +1,7 @@
 package org.sami.crw.sim.run.record;
 
 import java.util.List;
+import org.sami.boat.link.LookoutReadings;
 import org.sami.crw.report.NoteResult;
 import org.sami.crw.report.ReadingResult;
 import org.sami.crw.report.RowFormats;
@@ -28,9 +29,12 @@ public final class ReadingRecorder implements ReportFold {
         this.most = most;
     }
 
-    /** Records a reading, also one of an earlier process. */
+    /** Records a reading, also one of an earlier process; not what boats see of vessels, of which the report has a part of its own. */
     @Override
     public synchronized void onReading(SensorValue reading) {
+        if (reading.sensor().equals(LookoutReadings.SENSOR)) {
+            return;
+        }
         if (readings.size() >= most) {
             dropped++;
         } else {

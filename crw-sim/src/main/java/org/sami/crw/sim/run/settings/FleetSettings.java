@@ -7,6 +7,7 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.link.Radio;
+import org.sami.crw.sim.vessel.ForeignVessels;
 
 /**
  * The robots of a run and what they are sent to.
@@ -116,6 +117,11 @@ public record FleetSettings(
     /** The same fleet, whose boats use their batteries so. */
     public FleetSettings with(Energy other) {
         return faring(inProcess.with(other));
+    }
+
+    /** The same fleet on water with other vessels. */
+    public FleetSettings among(ForeignVessels others) {
+        return faring(inProcess.among(others));
     }
 
     private FleetSettings faring(InProcessBoats other) {

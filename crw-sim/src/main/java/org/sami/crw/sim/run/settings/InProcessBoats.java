@@ -6,6 +6,7 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.link.Radio;
+import org.sami.crw.sim.vessel.ForeignVessels;
 
 /**
  * How simulated boats in the process of a run fare. Boats behind TCP have water, batteries and a network of their own.
@@ -15,9 +16,10 @@ import org.sami.crw.sim.link.Radio;
  * @param rangeM how far a full battery takes a boat on average, in metres; empty for the usual range
  * @param radio between base and boats; the base's is in the middle of the quay
  * @param energy what decides how much charge boats use
+ * @param vessels on the water that are not of the fleet
  */
 public record InProcessBoats(
-        Conditions conditions, InitialCharges charges, OptionalDouble rangeM, Radio radio, Energy energy) {
+        Conditions conditions, InitialCharges charges, OptionalDouble rangeM, Radio radio, Energy energy, ForeignVessels vessels) {
     /** The shortest range, in metres. */
     public static final double SHORTEST_RANGE_M = 100;
 
@@ -26,7 +28,7 @@ public record InProcessBoats(
 
     /** Boats with full batteries and a perfect radio in calm water. */
     public static final InProcessBoats CALM = new InProcessBoats(
-            Conditions.CALM, InitialCharges.FULL, OptionalDouble.empty(), Radio.PERFECT, Energy.PER_METRE);
+            Conditions.CALM, InitialCharges.FULL, OptionalDouble.empty(), Radio.PERFECT, Energy.PER_METRE, ForeignVessels.NONE);
 
     /**
      * Boats within the limits.
@@ -38,6 +40,7 @@ public record InProcessBoats(
         Objects.requireNonNull(charges, "charges");
         Objects.requireNonNull(radio, "radio");
         Objects.requireNonNull(energy, "energy");
+        Objects.requireNonNull(vessels, "vessels");
         double metres = rangeM.orElse(SHORTEST_RANGE_M);
         if (!(metres >= SHORTEST_RANGE_M && metres <= LONGEST_RANGE_M)) {
             throw new IllegalArgumentException("a full battery lasts for 100 to 1000000 m, not " + metres);
@@ -48,23 +51,27 @@ public record InProcessBoats(
     }
 
     InProcessBoats on(Conditions water) {
-        return new InProcessBoats(water, charges, rangeM, radio, energy);
+        return new InProcessBoats(water, charges, rangeM, radio, energy, vessels);
     }
 
     InProcessBoats with(InitialCharges others) {
-        return new InProcessBoats(conditions, others, rangeM, radio, energy);
+        return new InProcessBoats(conditions, others, rangeM, radio, energy, vessels);
     }
 
     InProcessBoats withRangeM(double metres) {
-        return new InProcessBoats(conditions, charges, OptionalDouble.of(metres), radio, energy);
+        return new InProcessBoats(conditions, charges, OptionalDouble.of(metres), radio, energy, vessels);
     }
 
     InProcessBoats over(Radio other) {
-        return new InProcessBoats(conditions, charges, rangeM, other, energy);
+        return new InProcessBoats(conditions, charges, rangeM, other, energy, vessels);
     }
 
     InProcessBoats with(Energy other) {
-        return new InProcessBoats(conditions, charges, rangeM, radio, other);
+        return new InProcessBoats(conditions, charges, rangeM, radio, other, vessels);
+    }
+
+    InProcessBoats among(ForeignVessels others) {
+        return new InProcessBoats(conditions, charges, rangeM, radio, energy, others);
     }
 
     /**
@@ -87,7 +94,7 @@ public record InProcessBoats(
     /**
      * Refuses what boats behind TCP have themselves.
      *
-     * @throws IllegalArgumentException for sensors, charges, a range, a consumption or a radio
+     * @throws IllegalArgumentException for sensors, charges, a range, a consumption, a radio or other vessels
      */
     void requireUnset() {
         if (!conditions.sensors().isEmpty()) {
@@ -105,6 +112,9 @@ public record InProcessBoats(
         }
         if (!radio.isPerfect()) {
             throw new IllegalArgumentException("boats behind TCP have a network of their own, and no simulated radio");
+        }
+        if (!vessels.isEmpty()) {
+            throw new IllegalArgumentException("boats behind TCP have their own water: see crw boat --help");
         }
     }
 }

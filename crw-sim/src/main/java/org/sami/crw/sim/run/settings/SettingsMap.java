@@ -11,6 +11,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.link.Radio;
+import org.sami.crw.sim.vessel.ForeignVessels;
 
 /** The settings of a run as text by name, as they stand in the header of its journal. */
 public final class SettingsMap {
@@ -24,6 +25,7 @@ public final class SettingsMap {
     private static final String ROBOTS = "robots";
     private static final String COPTERS = "copters";
     private static final String RADIO = "radio";
+    private static final String VESSELS = "vessels";
 
     private SettingsMap() {}
 
@@ -57,6 +59,9 @@ public final class SettingsMap {
         }
         if (!fleet.inProcess().radio().isPerfect()) {
             map.put(RADIO, fleet.inProcess().radio().toString());
+        }
+        if (!fleet.inProcess().vessels().isEmpty()) {
+            map.put(VESSELS, fleet.inProcess().vessels().toString());
         }
         if (fleet.robots() != RobotKind.BOAT) {
             map.put(ROBOTS, fleet.robots().word());
@@ -115,7 +120,8 @@ public final class SettingsMap {
                         ? OptionalDouble.of(Double.parseDouble(needed(map, RANGE)))
                         : OptionalDouble.empty(),
                 map.containsKey(RADIO) ? Radio.parse(needed(map, RADIO)) : Radio.PERFECT,
-                map.containsKey(ENERGY) ? Energy.parse(needed(map, ENERGY)) : Energy.PER_METRE);
+                map.containsKey(ENERGY) ? Energy.parse(needed(map, ENERGY)) : Energy.PER_METRE,
+                map.containsKey(VESSELS) ? ForeignVessels.parse(needed(map, VESSELS)) : ForeignVessels.NONE);
     }
 
     private static void number(Map<String, String> map, String name, List<String> values) {

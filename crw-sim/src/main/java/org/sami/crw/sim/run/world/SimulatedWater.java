@@ -19,6 +19,7 @@ import org.sami.crw.sim.hull.HullConfig;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.crw.sim.run.record.RunHash;
 import org.sami.crw.sim.run.settings.FleetSettings;
+import org.sami.crw.sim.vessel.VesselState;
 import org.sami.spn.value.GeoPoint;
 
 /** The simulated part of the world that is not the base: the area, the boats on it, and their time. */
@@ -53,7 +54,8 @@ public final class SimulatedWater {
                         .withHull(hull(settings))
                         .withoutTracks()
                         .withConditions(settings.inProcess().conditions().of(settings.robots()))
-                        .withRadio(settings.inProcess().radio()));
+                        .withRadio(settings.inProcess().radio())
+                        .withVessels(settings.inProcess().vessels()));
         for (int i = boats(settings); i < settings.boats(); i++) {
             String copter = settings.boatNames().get(i);
             fleet.join(copter, (i - boats(settings)) * SPACING_M, COPTERS_NORTH_M, HullConfig.COPTER);
@@ -121,6 +123,17 @@ public final class SimulatedWater {
                         .map(BoatPose::position)
                         .ifPresent(position -> states.add(state(boat, position))));
         return states;
+    }
+
+    /** The foreign vessels as they are now, on this plane. */
+    public List<VesselState> vessels() {
+        double originEastM =
+                plane.eastM(fleet.frame().originLatDeg(), fleet.frame().originLonDeg());
+        double originNorthM =
+                plane.northM(fleet.frame().originLatDeg(), fleet.frame().originLonDeg());
+        return settings.inProcess().vessels().at(clock.nowMs() / 1000.0, settings.inProcess().conditions()).stream()
+                .map(vessel -> vessel.movedBy(originEastM, originNorthM))
+                .toList();
     }
 
     private BoatState state(SimulatedBoat boat, GeoPoint position) {
