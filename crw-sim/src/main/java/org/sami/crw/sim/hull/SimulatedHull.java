@@ -20,15 +20,13 @@ import org.sami.boat.server.vehicle.Vehicle;
  * Equal seeds and equal efforts give equal tracks to the last bit.
  */
 public final class SimulatedHull implements Vehicle {
-    private static final double BATTERY_SPREAD = 0.1;
     // gusts are drawn apart, so that calm water is as it always was
     private static final long GUST_SEED = 0x6775737473L;
 
     private final HullConfig config;
     private final LocalFrame frame;
-    private final SplittableRandom random;
+    private final SimulatedBattery battery;
     private final Weather weather;
-    private final double dischargeIntervalS;
     private double eastM;
     private double northM;
     private double latDeg;
@@ -39,9 +37,6 @@ public final class SimulatedHull implements Vehicle {
     private double turnRateRadPerS;
     private double port;
     private double starboard;
-    private double batteryPercent = 100;
-    private double spread; // R of thesis 7.1.1
-    private double spreadForS; // until it is drawn again
     private double distanceM;
     private int recharges;
     private int pictures;
@@ -62,9 +57,8 @@ public final class SimulatedHull implements Vehicle {
         this.frame = frame;
         this.eastM = eastM;
         this.northM = northM;
-        random = new SplittableRandom(seed);
+        battery = new SimulatedBattery(new SplittableRandom(seed), conditions.dischargeIntervalS());
         rotors = config.rotors().map(Rotors::new);
-        dischargeIntervalS = conditions.dischargeIntervalS();
         weather = new Weather(conditions, new SplittableRandom(seed ^ GUST_SEED));
     }
 
@@ -98,7 +92,7 @@ public final class SimulatedHull implements Vehicle {
 
     @Override
     public double batteryPercent() {
-        return batteryPercent;
+        return battery.percent();
     }
 
     /** True position: metres east of the world's origin. */
@@ -188,7 +182,7 @@ public final class SimulatedHull implements Vehicle {
 
     /** Somebody swaps or fills the battery. */
     public void recharge() {
-        batteryPercent = 100;
+        battery.set(100);
         recharges++;
     }
 
@@ -197,7 +191,7 @@ public final class SimulatedHull implements Vehicle {
         if (!(percent >= 0 && percent <= 100)) {
             throw new IllegalArgumentException("a charge of " + percent + " %");
         }
-        batteryPercent = percent;
+        battery.set(percent);
     }
 
     /** How strong the wind blows where it is, in m/s. */
@@ -220,16 +214,16 @@ public final class SimulatedHull implements Vehicle {
         }
         double speedBefore = speedMps;
         drive(seconds);
-        if (config.power().isPresent() && batteryPercent > 0) {
-            drain(config.power().get().percent((speedBefore + speedMps) / 2, seconds));
+        if (config.power().isPresent() && !battery.isEmpty()) {
+            battery.drain(config.power().get().percent((speedBefore + speedMps) / 2, seconds));
         }
-        spreadForS -= seconds;
+        battery.step(seconds);
     }
 
     /** The flight controller holds its position against the wind, which moves the copter no further than its GPS says. */
     private void fly(double seconds, Rotors own) {
         weather.step(seconds);
-        batteryPercent = Math.max(0, batteryPercent - own.step(seconds, batteryPercent > 0));
+        battery.set(Math.max(0, battery.percent() - own.step(seconds, !battery.isEmpty())));
     }
 
     /** What current and wind do; it costs no charge. */
@@ -244,7 +238,7 @@ public final class SimulatedHull implements Vehicle {
 
     /** What the motors do. */
     private void drive(double seconds) {
-        double power = batteryPercent > 0 && rotors.map(Rotors::isFree).orElse(true) ? 1 : 0;
+        double power = !battery.isEmpty() && rotors.map(Rotors::isFree).orElse(true) ? 1 : 0;
         double wantedMps = power * (port + starboard) / 2 * config.topSpeedMps();
         double wantedTurn = power * (port - starboard) / 2 * config.maxTurnRateRadPerS();
         if (wantedMps == 0 && wantedTurn == 0 && speedMps == 0 && turnRateRadPerS == 0) {
@@ -269,17 +263,8 @@ public final class SimulatedHull implements Vehicle {
         double drivenM = Math.abs(alongM);
         distanceM += drivenM;
         if (config.power().isEmpty()) {
-            drain(config.batteryPercentPerM() * drivenM);
+            battery.drain(config.batteryPercentPerM() * drivenM);
         }
-    }
-
-    /** Takes a mean consumption in percent, and its spread, from the battery. */
-    private void drain(double meanPercent) {
-        if (spreadForS <= 0) {
-            spread = random.nextDouble(-BATTERY_SPREAD, BATTERY_SPREAD);
-            spreadForS = dischargeIntervalS;
-        }
-        batteryPercent = Math.max(0, batteryPercent - meanPercent * (1 + spread));
     }
 
     private void locate() {
