@@ -26,7 +26,10 @@ class ExperimentTableCommandTest {
         if (!name.isEmpty()) {
             arguments.addAll(List.of("--table", name));
         }
-        arguments.addAll(List.of("--boats", "3", "--locations", "8", "--area", "150", "--repetitions", "2"));
+        arguments.addAll(List.of("--boats", "3", "--locations", "8", "--area", "150"));
+        if (!List.of(more).contains("--repetitions")) {
+            arguments.addAll(List.of("--repetitions", "2"));
+        }
         if (!out.isEmpty()) {
             arguments.addAll(List.of("--out", folder.resolve(out).toString()));
         }
@@ -97,6 +100,20 @@ class ExperimentTableCommandTest {
         assertThat(mean("hazard", "G measurements")).isPositive();
         assertThat(mean("hazard", "flight alone: hazard (-)")).isCloseTo(mean("hazard", "hazard (-)"), within(3.0));
         assertThat(ran.out()).contains("Table 8.1", "-47 %", "safe place");
+    }
+
+    @Test
+    void callWithFewerRepetitionsKeepsTheRowsOfTheEarlierOne() throws IOException {
+        String[] two = {"--set", "alarms=1", "--alarm-length", "10"};
+        table("7.2", "fewer", two);
+        Path file = folder.resolve("fewer").resolve("runs.csv");
+        String whole = Files.readString(file);
+
+        CommandResult one = table("7.2", "fewer", "--repetitions", "1", "--set", "alarms=1", "--alarm-length", "10");
+
+        assertThat(one.exitCode()).as(one.out() + one.err()).isZero();
+        assertThat(file).hasContent(whole);
+        assertThat(table("7.2", "fewer", two).err()).contains("6 runs", "6 of them were made earlier");
     }
 
     @Test

@@ -81,7 +81,8 @@ final class TableJob {
         out.println();
         out.flush();
         if (file.isPresent() && folder != null) {
-            write(folder, table, file.get(), rows, !stopped);
+            file.get().replace(rows, earlier);
+            write(folder, table, !stopped);
         }
         if (stopped) {
             err.println(
@@ -148,9 +149,7 @@ final class TableJob {
                 .toString();
     }
 
-    private static void write(Path folder, ResultTable table, RunRowsFile file, List<RunRow> rows, boolean withPicture)
-            throws IOException {
-        file.replace(rows);
+    private static void write(Path folder, ResultTable table, boolean withPicture) throws IOException {
         Files.writeString(folder.resolve("table.txt"), TableFormats.text(table));
         Files.writeString(folder.resolve("table.csv"), TableFormats.csv(table));
         Files.writeString(folder.resolve("table.html"), TableFormats.html(table));
