@@ -150,6 +150,15 @@ class ExperimentTableCommandTest {
                 .contains("3, 8, 1, repetition 1, standard: running, it did not end within 20 s: assemble goes on");
     }
 
+    /** Without a swap of batteries no boat gets home: the run ends long before its limit of four hours. */
+    @Test
+    void runWhoseBatteriesAreEmptyEndsAndNamesTheBoats() {
+        CommandResult ran = table("7.2", "", "--set", "alarms=1", "--range", "120", "--repetitions", "1");
+
+        assertThat(ran.out()).containsPattern("repetition 1, .*: failed, empty battery: boat[123]");
+        assertThat(ran.out()).doesNotContain("did not end within");
+    }
+
     @Test
     void folderOfOtherSettingsIsNotMixedUp() throws IOException {
         Path out = Files.createDirectories(folder.resolve("other"));

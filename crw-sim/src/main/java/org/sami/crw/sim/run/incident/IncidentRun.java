@@ -54,6 +54,7 @@ public final class IncidentRun {
     private final SimulatedOperatorDriver operator;
     private final IncidentQueue queue;
     private final ScriptPlayer player;
+    private final EmptyBatteries batteries = new EmptyBatteries();
 
     /** Puts the world together; nothing has happened in it yet. */
     public IncidentRun(IncidentRunInput input) {
@@ -172,6 +173,11 @@ public final class IncidentRun {
         List<String> troubles = operator.troubles();
         if (!troubles.isEmpty()) {
             return Optional.of(troubles.get(0));
+        }
+        Optional<String> empty =
+                batteries.isDue(clock.nowMs()) ? batteries.look(clock.nowMs(), water.boats()) : Optional.empty();
+        if (empty.isPresent()) {
+            return empty;
         }
         return clock.nowMs() > input.limitMillis()
                 ? Optional.of("it did not end within " + input.limitMillis() / 1000 + " s" + whatIsLeft())
