@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.crw.sim.run.record.BoatState;
@@ -26,12 +27,17 @@ final class EmptyBatteries {
     private long movedMillis;
     private long lookedMillis = -PERIOD_MILLIS;
 
-    /** Why the run cannot end; empty while it can. */
-    Optional<String> look(long nowMillis, List<BoatState> boats) {
+    /**
+     * Why the run cannot end; empty while it can.
+     *
+     * @param isUnderWay whether a boat drives by itself, by its name: others may drift
+     */
+    Optional<String> look(long nowMillis, List<BoatState> boats, Predicate<String> isUnderWay) {
         for (BoatState boat : boats) {
             BoatState before = places.putIfAbsent(boat.id(), boat);
             if (before != null
                     && boat.batteryPercent() > 0
+                    && isUnderWay.test(boat.id())
                     && PlaneMath.length(boat.eastM() - before.eastM(), boat.northM() - before.northM()) > MOVED_M) {
                 places.put(boat.id(), boat);
                 movedMillis = nowMillis;
@@ -43,7 +49,8 @@ final class EmptyBatteries {
                 .collect(Collectors.joining(", "));
         return empty.isEmpty() || nowMillis - movedMillis <= STILL_MILLIS
                 ? Optional.empty()
-                : Optional.of("empty battery: " + empty + ", and no boat moved for " + STILL_MILLIS / 60_000 + " min");
+                : Optional.of("empty battery: " + empty + ", and no other boat is under way for "
+                        + STILL_MILLIS / 60_000 + " min");
     }
 
     /** Whether it is time to look again. */

@@ -13,6 +13,7 @@ import org.sami.crw.decision.DefaultAnswers;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.operator.ClickCount;
+import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.session.Session;
@@ -174,8 +175,9 @@ public final class IncidentRun {
         if (!troubles.isEmpty()) {
             return Optional.of(troubles.get(0));
         }
-        Optional<String> empty =
-                batteries.isDue(clock.nowMs()) ? batteries.look(clock.nowMs(), water.boats()) : Optional.empty();
+        Optional<String> empty = batteries.isDue(clock.nowMs())
+                ? batteries.look(clock.nowMs(), water.boats(), this::isUnderWay)
+                : Optional.empty();
         if (empty.isPresent()) {
             return empty;
         }
@@ -196,6 +198,10 @@ public final class IncidentRun {
             }
         }
         return facts.isEmpty() ? "" : ": " + String.join("; ", facts);
+    }
+
+    private boolean isUnderWay(String boat) {
+        return water.fleet().proxies().find(boat).filter(BoatProxy::isUnderWay).isPresent();
     }
 
     private IncidentRunResult result(Optional<String> fault) {
