@@ -103,7 +103,8 @@ public final class ScenarioOptions {
      */
     public RunSettings settings(String plan, String mission, Rest rest, Path folder) {
         try {
-            return RunSettings.of(plan, mission, fleet.fleet(rest.addresses().size(), rest.seed(), rest.water(), folder))
+            return RunSettings.of(
+                            plan, mission, fleet.fleet(rest.addresses().size(), rest.seed(), rest.water(), folder))
                     .speed(rest.speed())
                     .limit(Optional.ofNullable(limitMillis)
                             .map(OptionalLong::of)

@@ -19,8 +19,8 @@ import org.sami.crw.sim.run.record.ReportFolds;
 import org.sami.crw.sim.run.record.RunProgress;
 import org.sami.crw.sim.run.record.TrueTracks;
 import org.sami.crw.sim.run.record.TrueVisits;
-import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.record.VesselApproaches;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.world.SimulatedWater;
 import org.sami.spn.value.GeoPoint;
@@ -134,7 +134,8 @@ final class InProcessFleet implements RunFleet {
         folds.add(visits);
         folds.add(trueTracks);
         if (!settings.fleet().inProcess().vessels().isEmpty()) {
-            VesselApproaches approaches = new VesselApproaches(settings.fleet().inProcess().vessels());
+            VesselApproaches approaches =
+                    new VesselApproaches(settings.fleet().inProcess().vessels());
             vesselApproaches = Optional.of(approaches);
             folds.add(approaches);
         }

@@ -1,6 +1,5 @@
 package org.sami.crw.sim.run;
 
-import org.sami.crw.sim.run.settings.FleetSettings;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -11,6 +10,7 @@ import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.VesselsPart;
 import org.sami.crw.report.VesselsPart.VesselApproach;
+import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.SettingsMap;
 import org.sami.crw.sim.vessel.ForeignVessels;

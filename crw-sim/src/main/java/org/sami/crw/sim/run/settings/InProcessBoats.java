@@ -19,7 +19,12 @@ import org.sami.crw.sim.vessel.ForeignVessels;
  * @param vessels on the water that are not of the fleet
  */
 public record InProcessBoats(
-        Conditions conditions, InitialCharges charges, OptionalDouble rangeM, Radio radio, Energy energy, ForeignVessels vessels) {
+        Conditions conditions,
+        InitialCharges charges,
+        OptionalDouble rangeM,
+        Radio radio,
+        Energy energy,
+        ForeignVessels vessels) {
     /** The shortest range, in metres. */
     public static final double SHORTEST_RANGE_M = 100;
 
@@ -28,7 +33,12 @@ public record InProcessBoats(
 
     /** Boats with full batteries and a perfect radio in calm water. */
     public static final InProcessBoats CALM = new InProcessBoats(
-            Conditions.CALM, InitialCharges.FULL, OptionalDouble.empty(), Radio.PERFECT, Energy.PER_METRE, ForeignVessels.NONE);
+            Conditions.CALM,
+            InitialCharges.FULL,
+            OptionalDouble.empty(),
+            Radio.PERFECT,
+            Energy.PER_METRE,
+            ForeignVessels.NONE);
 
     /**
      * Boats within the limits.

@@ -131,7 +131,11 @@ public final class SimulatedWater {
                 plane.eastM(fleet.frame().originLatDeg(), fleet.frame().originLonDeg());
         double originNorthM =
                 plane.northM(fleet.frame().originLatDeg(), fleet.frame().originLonDeg());
-        return settings.inProcess().vessels().at(clock.nowMs() / 1000.0, settings.inProcess().conditions()).stream()
+        return settings
+                .inProcess()
+                .vessels()
+                .at(clock.nowMs() / 1000.0, settings.inProcess().conditions())
+                .stream()
                 .map(vessel -> vessel.movedBy(originEastM, originNorthM))
                 .toList();
     }
