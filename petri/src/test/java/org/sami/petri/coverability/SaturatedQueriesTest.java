@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.BitSet;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -27,6 +28,8 @@ import org.sami.petri.symmetry.NetSymmetry;
 
 class SaturatedQueriesTest {
     private static final SearchBudget ENOUGH = SearchBudget.ofStates(3_000);
+    private static final List<LinearComparison.Relation> RELATIONS =
+            List.copyOf(EnumSet.allOf(LinearComparison.Relation.class));
     private static final MarkingCondition NEVER = new MarkingCondition.Any(List.of());
 
     @Test
@@ -134,7 +137,7 @@ class SaturatedQueriesTest {
         int place = random.nextInt(net.placeCount());
         MarkingCondition some = new LinearComparison(
                 List.of(new LinearComparison.Term(place, 1)),
-                LinearComparison.Relation.values()[random.nextInt(LinearComparison.Relation.values().length)],
+                RELATIONS.get(random.nextInt(RELATIONS.size())),
                 random.nextInt(3));
         return List.of(
                 new NetQuery.Deadlock(NEVER),
