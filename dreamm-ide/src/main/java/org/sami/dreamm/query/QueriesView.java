@@ -1,6 +1,7 @@
 package org.sami.dreamm.query;
 
 import java.awt.BorderLayout;
+import java.awt.CardLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -10,6 +11,7 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
@@ -33,8 +35,11 @@ public final class QueriesView extends FoldingPanel {
             "query-back",
             "query-next",
             "query-play",
-            "query-remove");
+            "query-remove",
+            "query-graph");
 
+    private static final String TABLE = "table";
+    private static final String GRAPH = "graph";
     private static final int NARROW = 640;
 
     /** Which button begins the second row in a narrow panel. */
@@ -52,6 +57,9 @@ public final class QueriesView extends FoldingPanel {
     private final transient QueryAnswers answers;
     private final transient WitnessOnNet witness;
     private final transient QueryCommands commands;
+    private final transient StatesOfPlan states;
+    private final transient CardLayout cards = new CardLayout();
+    private final JPanel middle = new JPanel(cards);
     private final RowTable<QueryRow> table;
     private final JTextField name = new JTextField();
     private final JTextField text = new JTextField();
@@ -64,13 +72,19 @@ public final class QueriesView extends FoldingPanel {
             new MigLayout("novisualpadding, insets 0, gap 6", "[30%, fill][grow, fill][][]");
 
     /** The view of a window. */
-    public QueriesView(DreammContext context, QueryAnswers answers, WitnessOnNet witness, QueryCommands commands) {
+    public QueriesView(
+            DreammContext context,
+            QueryAnswers answers,
+            WitnessOnNet witness,
+            QueryCommands commands,
+            StatesOfPlan states) {
         super(new BorderLayout());
         setName("queries-panel");
         this.context = context;
         this.answers = answers;
         this.witness = witness;
         this.commands = commands;
+        this.states = states;
         table = new RowTable<>(
                 "queries-table",
                 "No query yet. Write one below, such as: reachable m(\"Go home\".robots) >= 1",
@@ -83,7 +97,10 @@ public final class QueriesView extends FoldingPanel {
                         RowColumn.<QueryRow>words("Its answer, or what it asks", 0, QueryRow::words)
                                 .colored(row -> SemanticColor.MUTED)));
         table.table().getAccessibleContext().setAccessibleName("Queries");
-        add(table);
+        middle.setOpaque(false);
+        middle.add(table, TABLE);
+        middle.add(new JScrollPane(new StatesPane(states)), GRAPH);
+        add(middle);
         add(foot(), BorderLayout.SOUTH);
         table.addSelectionListener(this::selected);
         foldBelowWidth(NARROW, this::putTextBelow);
@@ -93,6 +110,7 @@ public final class QueriesView extends FoldingPanel {
         });
         answers.addListener(this::refresh);
         witness.addListener(this::refresh);
+        states.addListener(this::refresh);
         refresh();
     }
 
@@ -181,14 +199,17 @@ public final class QueriesView extends FoldingPanel {
     private void refresh() {
         table.show(answers.rows());
         commands.select(table.selected().map(row -> row.query().name()));
-        String words = witness.words().isEmpty()
-                ? answers.isRunning()
-                        ? answers.message()
-                        : table.selected()
-                                .filter(row -> row.answer().isPresent())
-                                .map(QueryRow::words)
-                                .orElse(answers.message())
-                : witness.words();
+        cards.show(middle, states.isShown() ? GRAPH : TABLE);
+        String words = states.isShown() || !states.words().isEmpty()
+                ? states.words()
+                : witness.words().isEmpty()
+                        ? answers.isRunning()
+                                ? answers.message()
+                                : table.selected()
+                                        .filter(row -> row.answer().isPresent())
+                                        .map(QueryRow::words)
+                                        .orElse(answers.message())
+                        : witness.words();
         message.setText(words.isEmpty() ? " " : words);
         message.setToolTipText(words.isEmpty() ? null : words);
         LookColors.foreground(message, SemanticColor.MUTED);

@@ -24,6 +24,7 @@ public final class WitnessOnNet {
     private final TryOutOverlay overlay;
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private Optional<PlanWitness> shown = Optional.empty();
+    private boolean isMarked;
     private int at;
 
     /** Nothing is shown yet. */
@@ -38,9 +39,26 @@ public final class WitnessOnNet {
         go(0);
     }
 
+    /**
+     * Shows one marking instead of a run.
+     *
+     * @param fired the transitions that have just led there
+     */
+    void show(PlanMarking marking, Set<String> fired) {
+        shown = Optional.empty();
+        isMarked = true;
+        overlay.showInstead(
+                Optional.of(new NetOverlay.Shown(marking(marking), NetBadges.NONE, id -> Optional.empty())));
+        if (!fired.isEmpty()) {
+            net.fired(fired);
+        }
+        listeners.forEach(Runnable::run);
+    }
+
     /** Shows nothing more; the tokens of what is tried are back. */
     void end() {
-        if (shown.isPresent()) {
+        if (shown.isPresent() || isMarked) {
+            isMarked = false;
             shown = Optional.empty();
             overlay.showInstead(Optional.empty());
             listeners.forEach(Runnable::run);

@@ -126,6 +126,7 @@ final class DreammMenus {
                 "query-next",
                 "query-play",
                 "query-remove",
+                "query-graph",
                 "",
                 "replay-open",
                 "replay-close"));

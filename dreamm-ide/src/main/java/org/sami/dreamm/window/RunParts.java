@@ -18,6 +18,7 @@ import org.sami.dreamm.profile.ProfileIds;
 import org.sami.dreamm.query.QueriesView;
 import org.sami.dreamm.query.QueryAnswers;
 import org.sami.dreamm.query.QueryCommands;
+import org.sami.dreamm.query.StatesOfPlan;
 import org.sami.dreamm.query.WitnessOnNet;
 import org.sami.dreamm.replay.ReplayPanel;
 import org.sami.dreamm.tryout.NextStepSearch;
@@ -50,6 +51,7 @@ final class RunParts implements AutoCloseable {
     private final QueryAnswers queries;
     private final WitnessOnNet witness;
     private final QueryCommands queryCommands;
+    private final StatesOfPlan states;
 
     /**
      * Parts of a window, whose commands are added to its context.
@@ -77,6 +79,7 @@ final class RunParts implements AutoCloseable {
         });
         queries = new QueryAnswers(context.document(), context.editor(), searching, EventThread.executor());
         witness = new WitnessOnNet(context.overlay(), overlay);
+        states = new StatesOfPlan(context, witness, tryOut::robotNames, searching, EventThread.executor());
         queryCommands = new QueryCommands(
                 context,
                 queries,
@@ -144,7 +147,7 @@ final class RunParts implements AutoCloseable {
     }
 
     JComponent queries() {
-        return new QueriesView(context, queries, witness, queryCommands);
+        return new QueriesView(context, queries, witness, queryCommands, states);
     }
 
     ReplayPanel replay() {

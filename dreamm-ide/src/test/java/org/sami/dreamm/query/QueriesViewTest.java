@@ -44,6 +44,7 @@ class QueriesViewTest {
     private final AtomicReference<TestCase> played = new AtomicReference<>();
     private DreammContext context;
     private QueriesView view;
+    private StatesOfPlan states;
     private final StartMarkingSetup setup = new StartMarkingSetup();
     private boolean hasErrors;
 
@@ -66,7 +67,8 @@ class QueriesViewTest {
                 () -> setup.start().map(TestStart::marking),
                 () -> hasErrors,
                 played::set);
-        view = new QueriesView(context, answers, witness, commands);
+        states = new StatesOfPlan(context, witness, () -> List.of("robot-1", "robot-2"), searches::add, Runnable::run);
+        view = new QueriesView(context, answers, witness, commands, states);
         Layout.layOut(view, 800, 300);
     }
 
@@ -145,6 +147,37 @@ class QueriesViewTest {
 
         assertThat(saved().get(1).text()).isEqualTo("reachable m(finished.robots) >= 3");
         assertThat(message()).as("there are two").contains("such a marking is never reached");
+    }
+
+    @Test
+    void statesAndFiringsOfTheGraphAreShownOnTheNet() {
+        context.commands().get("query-graph").run();
+        assertThat(message()).isEqualTo("Searching…");
+        searches.remove().run();
+
+        assertThat(message()).isEqualTo("all 64 states up to symmetry");
+        states.selectState(0);
+        assertThat(shown()).containsExactly("select");
+        assertThat(message()).startsWith("state 0: Select boats: generic robot-1 robot-2");
+        states.selectArrow(0);
+        assertThat(shown()).contains("locations");
+        assertThat(message()).startsWith("from state 0 to 1: Boats chosen");
+
+        context.commands().get("query-graph").run();
+        assertThat(shown()).isEmpty();
+        assertThat(message()).isBlank();
+    }
+
+    @Test
+    void graphOfAPlanThatRunsOtherwiseIsForgotten() {
+        context.commands().get("query-graph").run();
+        searches.remove().run();
+        states.selectState(2);
+
+        context.apply(new RemoveElements(context.editor().planId().orElseThrow(), Set.of("visited")));
+
+        assertThat(states.isShown()).isFalse();
+        assertThat(shown()).isEmpty();
     }
 
     private List<String> shown() {
