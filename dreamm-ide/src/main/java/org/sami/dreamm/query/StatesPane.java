@@ -5,6 +5,8 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.OptionalInt;
@@ -23,6 +25,7 @@ final class StatesPane extends JPanel {
     private static final int MARGIN = 16;
 
     private final transient StatesOfPlan states;
+    private boolean isNew = true;
 
     StatesPane(StatesOfPlan states) {
         this.states = states;
@@ -38,10 +41,26 @@ final class StatesPane extends JPanel {
         });
         key("LEFT", -1);
         key("RIGHT", 1);
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                seeStart();
+            }
+        });
         states.addListener(() -> {
+            isNew |= states.states().isEmpty();
             revalidate();
             repaint();
         });
+    }
+
+    /** Scrolls to the initial state of a graph that is shown for the first time. */
+    private void seeStart() {
+        if (isNew && states.states().isPresent()) {
+            isNew = false;
+            StateGraphDrawing drawing = states.states().get().drawing();
+            scrollRectToVisible(area(drawing, drawing.boxes().get(0).area()));
+        }
     }
 
     private void key(String key, int step) {
