@@ -13,7 +13,7 @@ import org.sami.crw.sim.hull.Conditions;
  * @param track where it is at which times, in order; straight and at even speed between them, at rest before and after
  * @param drifts whether it is carried by current and wind from its only place
  */
-public record ForeignVessel(String name, double lengthM, double beamM, List<Fix> track, boolean drifts) {
+public record ForeignVessel(String name, double lengthM, double beamM, List<TrackPlace> track, boolean drifts) {
     /** The largest vessel, in metres. */
     static final double LONGEST_M = 40;
 
@@ -31,8 +31,8 @@ public record ForeignVessel(String name, double lengthM, double beamM, List<Fix>
      * @param eastM metres east of the berth of the first boat
      * @param northM metres north of it
      */
-    public record Fix(double atS, double eastM, double northM) {
-        public Fix {
+    public record TrackPlace(double atS, double eastM, double northM) {
+        public TrackPlace {
             if (!(atS >= 0 && atS <= 1e6 && Math.hypot(eastM, northM) <= FARTHEST_M)) {
                 throw new IllegalArgumentException("a place has a time from 0 s on and lies within 20 km, not " + atS
                         + " s at " + eastM + " m east and " + northM + " m north");
@@ -56,8 +56,8 @@ public record ForeignVessel(String name, double lengthM, double beamM, List<Fix>
                     name + (drifts ? " drifts: it has one place, not a track" : " has no track"));
         }
         for (int i = 1; i < track.size(); i++) {
-            Fix from = track.get(i - 1);
-            Fix to = track.get(i);
+            TrackPlace from = track.get(i - 1);
+            TrackPlace to = track.get(i);
             double metres = Math.hypot(to.eastM() - from.eastM(), to.northM() - from.northM());
             if (!(to.atS() > from.atS() && metres / (to.atS() - from.atS()) <= FASTEST_MPS)) {
                 throw new IllegalArgumentException(
@@ -68,7 +68,7 @@ public record ForeignVessel(String name, double lengthM, double beamM, List<Fix>
 
     /** Where it is and how it moves, so many seconds after the start. */
     VesselState at(double seconds, Conditions water) {
-        Fix first = track.get(0);
+        TrackPlace first = track.get(0);
         if (drifts) {
             double eastMps =
                     water.current().eastMps() - WIND_SHARE * water.wind().eastMps(); // a wind comes from there
@@ -87,7 +87,7 @@ public record ForeignVessel(String name, double lengthM, double beamM, List<Fix>
             next++;
         }
         if (next == 0 || next == track.size()) {
-            Fix rests = track.get(Math.max(0, next - 1));
+            TrackPlace rests = track.get(Math.max(0, next - 1));
             return state(
                     rests.eastM(),
                     rests.northM(),
@@ -95,8 +95,8 @@ public record ForeignVessel(String name, double lengthM, double beamM, List<Fix>
                     0,
                     track.size() < 2 ? 0 : courseRad(Math.max(1, Math.min(next, track.size() - 1))));
         }
-        Fix from = track.get(next - 1);
-        Fix to = track.get(next);
+        TrackPlace from = track.get(next - 1);
+        TrackPlace to = track.get(next);
         double legS = to.atS() - from.atS();
         double eastMps = (to.eastM() - from.eastM()) / legS;
         double northMps = (to.northM() - from.northM()) / legS;
@@ -106,8 +106,8 @@ public record ForeignVessel(String name, double lengthM, double beamM, List<Fix>
     }
 
     private double courseRad(int leg) {
-        Fix from = track.get(leg - 1);
-        Fix to = track.get(leg);
+        TrackPlace from = track.get(leg - 1);
+        TrackPlace to = track.get(leg);
         return StrictMath.atan2(to.eastM() - from.eastM(), to.northM() - from.northM());
     }
 

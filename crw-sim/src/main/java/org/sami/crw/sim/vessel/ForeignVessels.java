@@ -71,11 +71,11 @@ public record ForeignVessels(List<ForeignVessel> vessels, double sightM) {
 
     private static ForeignVessel vessel(JsonNode vessel, String at) {
         known(vessel, at, List.of("name", "length", "beam", "track", "drifts"));
-        List<ForeignVessel.Fix> track = new ArrayList<>();
+        List<ForeignVessel.TrackPlace> track = new ArrayList<>();
         for (JsonNode fix : vessel.path("track")) {
             String place = at + "/track/" + track.size();
             known(fix, place, List.of("at", "east", "north"));
-            track.add(new ForeignVessel.Fix(
+            track.add(new ForeignVessel.TrackPlace(
                     fix.has("at") ? number(fix, "at", place) : 0,
                     number(fix, "east", place),
                     number(fix, "north", place)));

@@ -16,7 +16,7 @@ import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.service.water.Water;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.vessel.ForeignVessel;
-import org.sami.crw.sim.vessel.ForeignVessel.Fix;
+import org.sami.crw.sim.vessel.ForeignVessel.TrackPlace;
 import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.crw.sim.vessel.VesselState;
 import org.sami.spn.protocol.Priority;
@@ -25,9 +25,9 @@ import org.sami.spn.value.GeoArea;
 /** Whether a boat gives way to a vessel that it sees: measured on where both truly are. */
 class ForeignVesselsTest {
     private static ForeignVessels one(double lengthM, double beamM, double... secondsEastNorth) {
-        List<Fix> track = new ArrayList<>();
+        List<TrackPlace> track = new ArrayList<>();
         for (int i = 0; i < secondsEastNorth.length; i += 3) {
-            track.add(new Fix(secondsEastNorth[i], secondsEastNorth[i + 1], secondsEastNorth[i + 2]));
+            track.add(new TrackPlace(secondsEastNorth[i], secondsEastNorth[i + 1], secondsEastNorth[i + 2]));
         }
         return new ForeignVessels(List.of(new ForeignVessel("ferry", lengthM, beamM, track, false)), 60);
     }
