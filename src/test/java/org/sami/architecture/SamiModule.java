@@ -114,7 +114,13 @@ enum SamiModule {
     SESSION_SERVER(
             "session-server",
             36,
-            List.of("org.sami.session.."),
+            List.of("org.sami.session.person..", "org.sami.session.rows..", "org.sami.session.server.."),
+            List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
+    /** A session in another process, for fronts here. */
+    SESSION_CLIENT(
+            "session-client",
+            14,
+            List.of("org.sami.session.client.."),
             List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** Colours, and pictures of nets, for windows, command and reports. */
     NET_PICTURE(
@@ -162,6 +168,7 @@ enum SamiModule {
             List.of("org.sami.crw.cli..", "org.sami.crw.console.."),
             List.of(
                     CRW_SIM,
+                    SESSION_CLIENT,
                     SESSION_SERVER,
                     CRW_REPORT,
                     CRW_SESSION,

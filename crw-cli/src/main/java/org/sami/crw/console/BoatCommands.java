@@ -13,14 +13,11 @@ import org.sami.crw.operator.boat.FleetRows;
 import org.sami.crw.operator.boat.FleetStopState;
 import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.Fleet;
+import org.sami.crw.session.FrontFleet;
 import org.sami.spn.value.GeoPoint;
 
 /** Commands about boats: which there are, and what a person does with them by hand. */
 final class BoatCommands {
-    /** A boat stops by itself after two seconds without a word of the hand that drives it. */
-    private static final long DRIVE_EVERY_MS = 500;
-
     private static final double LONGEST_DRIVE_S = 600;
 
     private final ConsoleContext context;
@@ -48,15 +45,15 @@ final class BoatCommands {
                 withBoat(
                         "take BOAT",
                         "Takes command of a boat, also from another base.",
-                        told(Fleet::takeCommand, "taken")),
+                        told(FrontFleet::takeCommand, "taken")),
                 withBoat(
                         "ask BOAT",
                         "Asks who commands a boat for its command.",
-                        told(Fleet::askForCommand, "asked for")),
+                        told(FrontFleet::askForCommand, "asked for")),
                 withBoat(
                         "watch BOAT",
                         "Only watches a boat: another base may command it.",
-                        told(Fleet::handOver, "watched only")),
+                        told(FrontFleet::handOver, "watched only")),
                 withBoat("give BOAT CLIENT", "Gives a boat's command to another base.", this::give),
                 withBoat(
                         "drive BOAT THRUST RUDDER [SECONDS]",
@@ -65,7 +62,7 @@ final class BoatCommands {
                 withBoat(
                         "back BOAT",
                         "Gives a boat that was driven by hand back to the missions.",
-                        told(Fleet::handBack, "given back")),
+                        told(FrontFleet::handBack, "given back")),
                 ConsoleCommand.of(
                         "stop BOAT|all",
                         "Stops motors at once, until they are released; 'stop all' is the fleet stop.",
@@ -84,11 +81,11 @@ final class BoatCommands {
         return words.size() > 1 ? List.of() : all;
     }
 
-    private Fleet fleet() {
+    private FrontFleet fleet() {
         return context.session().fleet();
     }
 
-    private ConsoleCommand.Action told(BiFunction<Fleet, String, CompletionStage<Void>> what, String words) {
+    private ConsoleCommand.Action told(BiFunction<FrontFleet, String, CompletionStage<Void>> what, String words) {
         return (arguments, out) -> {
             String boat = arguments.next("boat");
             arguments.end();
@@ -99,7 +96,7 @@ final class BoatCommands {
 
     private void boats(Arguments arguments, Consumer<String> out) {
         arguments.end();
-        long now = context.session().scheduler().nowMs();
+        long now = context.session().nowMillis();
         List<UnreachedBoat> unreached = context.models().unreached().snapshot();
         List<BoatSnapshot> known = context.models().fleet().snapshot();
         List<BoatSnapshot> boats = FleetRows.of(known, unreached, now);
@@ -215,7 +212,7 @@ final class BoatCommands {
         long end = System.nanoTime() + (long) (seconds * 1e9);
         for (long left = end - System.nanoTime(); left > 0; left = end - System.nanoTime()) {
             context.await(fleet().teleoperate(boat, thrust, rudder));
-            context.until(() -> false, Math.min(left / 1e9, DRIVE_EVERY_MS / 1e3));
+            context.until(() -> false, Math.min(left / 1e9, FrontFleet.DRIVE_MS / 1e3));
         }
         context.await(fleet().teleoperate(boat, 0, 0));
         out.accept(boat + " was driven for " + Numbers.short1(seconds) + " s; give it back with: back " + boat);

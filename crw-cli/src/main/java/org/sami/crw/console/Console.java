@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.sami.crw.session.Session;
+import org.sami.crw.session.FrontSession;
 import org.sami.spn.finding.Suggestions;
 
 /**
@@ -22,7 +22,7 @@ public final class Console implements AutoCloseable {
     private int faults;
 
     /** A console that has printed nothing yet. */
-    public Console(Session session) {
+    public Console(FrontSession session) {
         context = new ConsoleContext(Objects.requireNonNull(session, "session"));
         this.session = new SessionCommands(context, commands::values);
         new MissionCommands(context).all().forEach(this::add);

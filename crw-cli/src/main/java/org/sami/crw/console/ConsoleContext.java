@@ -11,6 +11,7 @@ import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.MissionSnapshot;
+import org.sami.crw.session.FrontSession;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
 import org.sami.spn.engine.EngineView;
@@ -26,16 +27,16 @@ import org.sami.spn.vocabulary.Vocabulary;
 final class ConsoleContext implements AutoCloseable {
     private static final long LONGEST_REPLY_S = 30;
 
-    private final Session session;
+    private final FrontSession session;
     private final Vocabulary vocabulary;
     private final ConsoleWords words;
     private final Object changed = new Object();
     private List<Registration> registrations = List.of();
     private volatile boolean ended;
 
-    ConsoleContext(Session session) {
+    ConsoleContext(FrontSession session) {
         this.session = Objects.requireNonNull(session, "session");
-        vocabulary = session.setup().vocabulary();
+        vocabulary = session.vocabulary();
         words = new ConsoleWords(HandlerModules.robotsOf(vocabulary));
     }
 
@@ -62,8 +63,18 @@ final class ConsoleContext implements AutoCloseable {
         }
     }
 
-    Session session() {
+    FrontSession session() {
         return session;
+    }
+
+    /**
+     * The session itself, for what only its own machine has.
+     *
+     * @param what is there only, for the fault
+     */
+    Session inProcess(String what) {
+        return session.inProcess()
+                .orElseThrow(() -> new ConsoleFault("not from here: " + what + " the machine of the session"));
     }
 
     OperatorModels models() {
@@ -112,7 +123,7 @@ final class ConsoleContext implements AutoCloseable {
 
     /** Waits until all results of the engine's steps are printed: also messages of handlers, a little after the engine's step. */
     void catchUp() {
-        await(session.ask(view -> true).thenCompose(left -> session.fleet().ask(boats -> left)));
+        await(session.caughtUp());
     }
 
     /**

@@ -194,13 +194,13 @@ final class MapCommands {
         String word = arguments.next("area");
         arguments.end();
         if (word.equals("none")) {
-            context.await(context.session().fence().remove());
+            context.await(context.inProcess("the fence is set on").fence().remove());
             out.accept("there is no fence now");
         } else if (word.equals("project")) {
-            context.await(context.session().fence().useProject());
+            context.await(context.inProcess("the fence is set on").fence().useProject());
             out.accept("the project's fence counts, if it has one");
         } else {
-            context.await(context.session().fence().set(area(word)));
+            context.await(context.inProcess("the fence is set on").fence().set(area(word)));
             out.accept("the fence is set");
         }
     }

@@ -6,8 +6,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.MixedInitiative;
-import org.sami.crw.judgement.DraftAnswer;
-import org.sami.crw.judgement.Judgement;
 import org.sami.crw.message.MessageEntry;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.spn.protocol.Answer;
@@ -87,7 +85,7 @@ final class OperatorCommands {
         if (pending().isEmpty()) {
             out.accept("nothing is asked now; questions of missions appear here");
         }
-        long now = context.session().scheduler().nowMs();
+        long now = context.session().nowMillis();
         pending().forEach(decision -> describe(decision, now, answers, out));
     }
 
@@ -112,17 +110,9 @@ final class OperatorCommands {
         if (wrong.isPresent()) {
             throw new ConsoleFault(wrong.get());
         }
-        Judgement judged = context.await(context.session()
-                .drafts()
-                .judge(
-                        pending.decision(),
-                        DraftAnswer.of(answer, pending.decision().question())));
-        if (judged.refusal().isPresent()) {
-            throw new ConsoleFault(judged.refusal().get());
-        }
-        context.await(context.session().answer(id, answer, NAME));
+        List<String> doubts = context.await(context.session().answerJudged(pending.decision(), answer, NAME));
         out.accept("[" + id + "] is answered");
-        judged.doubts().forEach(words -> out.accept("    mind: " + words));
+        doubts.forEach(words -> out.accept("    mind: " + words));
     }
 
     private List<String> timed(List<String> words) {

@@ -79,7 +79,11 @@ final class SessionCommands {
                         this::help,
                         words -> commandNames()),
                 ConsoleCommand.of(
-                        "quit", "Stops the boats of all missions, as far as links stand, and ends.", this::quit));
+                        "quit",
+                        context.session().inProcess().isPresent()
+                                ? "Stops the boats of all missions, as far as links stand, and ends."
+                                : "Leaves the session, which goes on.",
+                        this::quit));
     }
 
     /** No further command is read. From any thread. */
@@ -134,7 +138,8 @@ final class SessionCommands {
 
     private void save(Arguments arguments, Consumer<String> out) {
         Path file = file(arguments);
-        SavedGlobals saved = context.await(context.session().project().saveGlobals(file));
+        SavedGlobals saved =
+                context.await(context.inProcess("files are saved on").project().saveGlobals(file));
         saved.changes().forEach(change -> out.accept(change.name() + " = " + EngineText.value(change.after())));
         saved.warnings().forEach(warning -> out.accept(warning.message()));
         out.accept(saved.changes().isEmpty() ? file + " has these values already" : "saved to " + file);
@@ -142,7 +147,8 @@ final class SessionCommands {
 
     private void load(Arguments arguments, Consumer<String> out) {
         Path file = file(arguments);
-        int version = context.await(context.session().project().load(file));
+        int version = context.await(
+                context.inProcess("projects are loaded on").project().load(file));
         out.accept("loaded " + file + " as project " + version + "; missions that start now have its plans: "
                 + String.join(", ", context.plans()));
     }
@@ -213,9 +219,10 @@ final class SessionCommands {
                     .filter(one -> one.typed().equals(word))
                     .findFirst()
                     .orElseThrow(() -> new ConsoleFault("on a fault boats hold or stop, they do not '" + word + "'"));
-            context.session().faults().setBoats(chosen);
+            context.inProcess("what boats do on a fault is set on").faults().setBoats(chosen);
         }
-        BoatsAtFault still = context.session().faults().boats();
+        BoatsAtFault still =
+                context.inProcess("what boats do on a fault is set on").faults().boats();
         out.accept("on a fault of engine or journal: " + still.typed() + " (" + still.words() + ")");
     }
 

@@ -157,7 +157,7 @@ final class SituationCommands {
         if (boats.isEmpty()) {
             out.accept(context.words().say("there is no boat"));
         }
-        long now = context.session().scheduler().nowMs();
+        long now = context.session().nowMillis();
         boats.forEach(boat -> out.accept(boat.boat() + "  " + lower(boat.status()) + "  link " + lower(boat.link())
                 + (boat.heardAtMillis().isEmpty()
                         ? ""
@@ -245,7 +245,7 @@ final class SituationCommands {
                 words = words.subList(0, words.size() - 2);
             }
         }
-        context.session().note(String.join(" ", words), position);
+        context.await(context.session().addNote(String.join(" ", words), position));
         out.accept("noted" + position.map(at -> " at " + text(at)).orElse(""));
     }
 

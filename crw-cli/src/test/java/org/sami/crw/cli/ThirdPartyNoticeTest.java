@@ -45,6 +45,7 @@ class ThirdPartyNoticeTest {
             "net-picture",
             "petri",
             "server",
+            "session-client",
             "session-server",
             "spn-authoring",
             "spn-core",

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.LongConsumer;
 import java.util.function.Predicate;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.fleet.FleetEvent;
@@ -47,6 +48,7 @@ public final class AlarmModel extends Model<List<Alarm>> {
     private final Set<Key> muted = new HashSet<>();
     private volatile long sampledEveryMillis;
     private long raised;
+    private volatile Optional<LongConsumer> elsewhere = Optional.empty(); // acknowledges there
 
     private record Key(Kind kind, String boat, String other) {
         static Key of(Kind kind, String boat) {
@@ -72,6 +74,23 @@ public final class AlarmModel extends Model<List<Alarm>> {
         this.commands = commands;
         this.log = log;
         this.robots = robots;
+    }
+
+    /**
+     * From now on alarms are raised by a session elsewhere: they are {@link #show shown} as they are there, none is raised here, and acknowledgements are given to
+     * that session. On the owner's thread.
+     */
+    void follow(LongConsumer acknowledge) {
+        elsewhere = Optional.of(acknowledge);
+    }
+
+    /** These are all alarms of the session that is followed. On the owner's thread. */
+    void show(List<Alarm> all) {
+        alarms.clear();
+        for (Alarm alarm : all) {
+            put(alarm.number(), Key.of(alarm), alarm.text(), alarm.sinceMillis(), alarm.active(), alarm.acknowledged());
+        }
+        change();
     }
 
     /** Boats are seen once in this time, if nothing happens. From any thread. */
@@ -117,7 +136,9 @@ public final class AlarmModel extends Model<List<Alarm>> {
     private void acknowledge(Predicate<Alarm> which) {
         inbox.accept(() -> {
             for (Alarm alarm : List.copyOf(alarms.values())) {
-                if (which.test(alarm) && !alarm.acknowledged()) {
+                if (which.test(alarm) && !alarm.acknowledged() && elsewhere.isPresent()) {
+                    elsewhere.get().accept(alarm.number());
+                } else if (which.test(alarm) && !alarm.acknowledged()) {
                     log.add(OperatorLogEntry.Kind.ACKNOWLEDGED, alarm.text(), alarm.boat());
                     if (alarm.active()) {
                         put(new Alarm(
@@ -144,7 +165,7 @@ public final class AlarmModel extends Model<List<Alarm>> {
         inbox.accept(() -> {
             Key key = Key.of(kind, boat);
             boolean changed = mute ? muted.add(key) : muted.remove(key);
-            if (changed) {
+            if (changed && elsewhere.isEmpty()) {
                 log.add(
                         OperatorLogEntry.Kind.MUTED,
                         (mute ? "alarms make no sound: " : "alarms are heard again: ") + kind,
@@ -253,6 +274,9 @@ public final class AlarmModel extends Model<List<Alarm>> {
 
     /** It is so, with a text, or it is not so. */
     private void set(Key key, Optional<String> text, long atMillis) {
+        if (elsewhere.isPresent()) {
+            return;
+        }
         Alarm before = alarms.get(key);
         if (text.isPresent()) {
             Optional<Alarm> goesOn = Optional.ofNullable(before).filter(Alarm::active);

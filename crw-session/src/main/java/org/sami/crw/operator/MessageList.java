@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
 import java.util.function.UnaryOperator;
 import org.sami.crw.manipulation.ManipulationPolicy;
@@ -36,6 +37,7 @@ public final class MessageList extends Model<List<MessageEntry>> {
     private final ManipulationPolicy policy;
     private final List<Later> waiting = new ArrayList<>();
     private long told;
+    private volatile Optional<LongConsumer> elsewhere = Optional.empty(); // acknowledges there
 
     /** A message whose event waits until it may change the list again. */
     private record Later(OperatorMessage message, long atMillis) {}
@@ -58,8 +60,31 @@ public final class MessageList extends Model<List<MessageEntry>> {
         this.log = log;
     }
 
+    /**
+     * From now on the list is kept by a session elsewhere: it is {@link #show(List) shown} as it is there, nothing else is added, and acknowledgements are given to
+     * that session. On the owner's thread.
+     */
+    void follow(LongConsumer acknowledge) {
+        elsewhere = Optional.of(acknowledge);
+    }
+
+    /** These are all messages of the session that is followed. On the owner's thread. */
+    void show(List<MessageEntry> all) {
+        entries.clear();
+        all.forEach(entry -> entries.add(new MessageEntry(
+                entry.number(),
+                entry.message(),
+                entry.count(),
+                entry.acknowledged(),
+                muted.contains(entry.message().keyword()))));
+        change();
+    }
+
     /** A message came: it is shown now, or later, or not at all, as the meta-markup of its event says (thesis 5.3). */
     void add(OperatorMessage message) {
+        if (elsewhere.isPresent()) {
+            return;
+        }
         OperatorMessage.Manipulation manipulation = message.manipulation();
         if (manipulation.limits().isEmpty()) {
             show(message);
@@ -127,6 +152,10 @@ public final class MessageList extends Model<List<MessageEntry>> {
     /** The operator knows a message; one that is gone changes nothing. From any thread; done a little later. */
     public void acknowledge(long number) {
         touched();
+        if (elsewhere.isPresent()) {
+            elsewhere.get().accept(number);
+            return;
+        }
         inbox.accept(() -> replace(entry -> entry.number() == number ? acknowledged(entry) : entry));
     }
 

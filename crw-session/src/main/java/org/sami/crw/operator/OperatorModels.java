@@ -288,6 +288,15 @@ public final class OperatorModels implements HostListener, MessageSink {
         return new ReplayFeed(this);
     }
 
+    /**
+     * Has a session elsewhere say what happens, in place of an engine's host and a fleet; for one thread of the follower's.
+     *
+     * @param acknowledge what is acknowledged here, for that session
+     */
+    public FollowFeed followFeed(FollowFeed.Acknowledgements acknowledge) {
+        return new FollowFeed(this, acknowledge);
+    }
+
     void post(Runnable change) {
         inbox.post(change);
     }

@@ -44,7 +44,7 @@ import org.sami.spn.value.GeoPoint;
 final class RecordedBoats implements SessionTelemetry.Reader {
     private final ReplayFeed feed;
     private final MessageSink messages;
-    private final PictureRows pictures;
+    private final Optional<PictureRows> pictures;
     private final Map<String, Recorded> boats = new LinkedHashMap<>();
     private final Map<String, BoatCommand> commands = new HashMap<>();
     private long nowMillis;
@@ -64,6 +64,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
         private List<GeoPoint> wayHome = List.of();
         private Optional<CrossTrackError> error = Optional.empty();
         private boolean flew; // reported an altitude
+        private Optional<BoatSample> live = Optional.empty(); // of a session that is followed
         private BoatExplanation why = new BoatExplanation(false, Cause.NO_COMMAND, "not known: the journal is old");
     }
 
@@ -71,10 +72,10 @@ final class RecordedBoats implements SessionTelemetry.Reader {
      * Knows no boat.
      *
      * @param messages takes the messages to the operator
-     * @param pictures where those of the session are kept
+     * @param pictures where those of the session are kept; empty where they cannot be had
      */
-    RecordedBoats(ReplayFeed feed, MessageSink messages, SessionPictures pictures) {
-        this.pictures = new PictureRows(pictures);
+    RecordedBoats(ReplayFeed feed, MessageSink messages, Optional<SessionPictures> pictures) {
+        this.pictures = pictures.map(PictureRows::new);
         this.feed = feed;
         this.messages = messages;
     }
@@ -89,6 +90,15 @@ final class RecordedBoats implements SessionTelemetry.Reader {
     void take(TelemetryRow row) {
         nowMillis = row.atMillis();
         SessionTelemetry.read(List.of(row), this);
+    }
+
+    /** What a session that is followed knows of a boat at this moment. */
+    void sample(BoatSample sample) {
+        nowMillis = Math.max(nowMillis, sample.atMillis());
+        Recorded boat = of(sample.boat());
+        boat.live = Optional.of(sample);
+        boat.link = sample.link();
+        seen(sample.boat(), boat);
     }
 
     /** Shows boats that are linked as heard of now: the journal notes no message in which nothing changed. */
@@ -120,6 +130,32 @@ final class RecordedBoats implements SessionTelemetry.Reader {
     }
 
     private BoatSnapshot snapshot(String id, Recorded boat) {
+        return boat.live.map(sample -> snapshot(boat, sample)).orElseGet(() -> asRecorded(id, boat));
+    }
+
+    private static BoatSnapshot snapshot(Recorded boat, BoatSample sample) {
+        Optional<CommandQueueSnapshot.Entry> current = boat.queue.current();
+        return new BoatSnapshot(
+                sample.boat(),
+                boat.link,
+                sample.heardAtMillis(),
+                sample.pose(),
+                sample.poseAtMillis(),
+                sample.battery(),
+                boat.mode.or(sample::mode),
+                sample.commander(),
+                current.map(CommandQueueSnapshot.Entry::command),
+                current.map(CommandQueueSnapshot.Entry::visited).orElse(0),
+                current.map(CommandQueueSnapshot.Entry::points).orElse(0),
+                new BoatExplanation(sample.shouldMove(), boat.why.cause(), sample.why()),
+                Optional.empty(),
+                sample.stop(),
+                boat.wayHome,
+                Optional.empty(),
+                sample.flies());
+    }
+
+    private BoatSnapshot asRecorded(String id, Recorded boat) {
         if (boat.link == LinkState.LINKED) {
             boat.heardAtMillis = OptionalLong.of(nowMillis);
             boat.poseAtMillis = nowMillis;
@@ -212,7 +248,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
             case "state" -> state(id, json);
             case "removed" -> gone(id);
             case PictureRows.TAKEN, PictureRows.PICTURE ->
-                pictures.event(row, json).ifPresent(event -> feed.happened(event, nowMillis));
+                pictures.flatMap(kept -> kept.event(row, json)).ifPresent(event -> feed.happened(event, nowMillis));
             case OperatorLogRows.KIND -> feed.logged(OperatorLogRows.read(List.of(row)));
             default -> {
                 // whoever wrote it did so for itself
@@ -335,8 +371,11 @@ final class RecordedBoats implements SessionTelemetry.Reader {
                         : boat.why.cause() == Cause.COMMANDED_ELSEWHERE ? Commander.SOMEBODY_ELSE : Commander.UNKNOWN;
     }
 
-    private void gone(String id) {
-        boats.remove(id);
+    /** There is that boat no longer. */
+    void gone(String id) {
+        if (boats.remove(id) == null) {
+            return;
+        }
         feed.gone(id);
         feed.happened(new FleetEvent.Removed(id), nowMillis);
     }

@@ -58,7 +58,7 @@ public final class Replay {
         engine = journal.engine();
         models = new OperatorModels(owner, () -> shownMillis, computing, HandlerModules.robotsOf(journal.vocabulary()));
         feed = models.replayFeed();
-        boats = new RecordedBoats(feed, models, SessionPictures.besides(journal.file()));
+        boats = new RecordedBoats(feed, models, Optional.of(SessionPictures.besides(journal.file())));
         begin();
         goTo(0);
     }

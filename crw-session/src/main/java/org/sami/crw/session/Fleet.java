@@ -33,7 +33,7 @@ import org.sami.spn.value.GeoPoint;
  * The boats of a session, and what an operator does with them by hand. All methods may be called from any thread and return at once;
  * what comes of them arrives on the front's executor, a refusal as a {@link RefusedException}.
  */
-public final class Fleet {
+public final class Fleet implements FrontFleet {
     private final FleetConnector connector;
     private final Replies replies;
     private final SettingReplies settings;
@@ -84,6 +84,7 @@ public final class Fleet {
      *
      * @return the boat's id, when it has answered
      */
+    @Override
     public CompletionStage<String> connect(BoatAddress address) {
         log.add(Kind.BOAT, "connected to " + address);
         return reach(address);
@@ -106,11 +107,13 @@ public final class Fleet {
      * Gives up a boat and its address: its commands fail, it is stopped if its link works, and is then left alone. Missions keep it;
      * {@link Session#drop(String)} takes it out of them. Gives whether it was known.
      */
+    @Override
     public CompletionStage<Boolean> disconnect(String boat) {
         return replies.of(connector.disconnect(boat)).thenApply(known -> disconnected(boat, known));
     }
 
     /** Gives up an address, and as {@link #disconnect(String)} the boat that it leads to. Gives whether it was known. */
+    @Override
     public CompletionStage<Boolean> disconnect(BoatAddress address) {
         return replies.of(connector.disconnect(address)).thenApply(known -> disconnected(address.toString(), known));
     }
@@ -128,6 +131,7 @@ public final class Fleet {
      * @param name of one boat; of several, what their numbers are put behind
      * @return their ids
      */
+    @Override
     public CompletionStage<List<String>> addSimulated(String name, GeoPoint start, int count) {
         beforeTheFirst.run();
         return onFleet(boats -> {
@@ -200,6 +204,7 @@ public final class Fleet {
     }
 
     /** Why a boat moves or does not. */
+    @Override
     public CompletionStage<BoatExplanation> why(String boat) {
         return onBoat(boat, proxy -> proxy.explain(titles));
     }
@@ -217,6 +222,7 @@ public final class Fleet {
     // ---- by hand
 
     /** Takes the command of a boat, whoever had it before. Listeners receive the boat's answer. */
+    @Override
     public CompletionStage<Void> takeCommand(String boat) {
         return tell(boat, "took the command of " + boat, proxy -> {
             checkLinked(proxy);
@@ -226,6 +232,7 @@ public final class Fleet {
     }
 
     /** Asks the commander of a boat for its command. Listeners receive the answer. */
+    @Override
     public CompletionStage<Void> askForCommand(String boat) {
         return tell(boat, "asked for the command of " + boat, proxy -> {
             checkLinked(proxy);
@@ -234,6 +241,7 @@ public final class Fleet {
     }
 
     /** Only watches a boat from now on: whoever wishes may command it. What missions want of it waits. */
+    @Override
     public CompletionStage<Void> handOver(String boat) {
         return tell(boat, "only watches " + boat, proxy -> {
             checkLinked(proxy);
@@ -243,6 +251,7 @@ public final class Fleet {
     }
 
     /** Gives a boat's command to another base, by its client id, and watches. */
+    @Override
     public CompletionStage<Void> handOver(String boat, String clientId) {
         return tell(boat, "gave the command of " + boat + " to " + clientId, proxy -> {
             checkCommanding(proxy);
@@ -257,6 +266,7 @@ public final class Fleet {
      * @param thrust part of full thrust, -1 to 1
      * @param rudder part of full steering effort, -1 (port) to 1 (starboard)
      */
+    @Override
     public CompletionStage<Void> teleoperate(String boat, double thrust, double rudder) {
         if (!(Math.abs(thrust) <= 1 && Math.abs(rudder) <= 1)) {
             return CompletableFuture.failedFuture(
@@ -354,16 +364,19 @@ public final class Fleet {
     // ---- driven by hand
 
     /** Gives a boat that was driven by hand back to the missions; it stops if none wants anything of it. */
+    @Override
     public CompletionStage<Void> handBack(String boat) {
         return tell(boat, "gave " + boat + " back to the missions", BoatProxy::release);
     }
 
     /** Stops the motors of one boat, latched on it until {@link #release}. */
+    @Override
     public CompletionStage<Void> stop(String boat) {
         return tell(boat, "stopped " + boat, BoatProxy::fleetStop);
     }
 
     /** Ends the stop of one boat, which goes on with what missions want of it. */
+    @Override
     public CompletionStage<Void> release(String boat) {
         return tell(boat, "released " + boat, BoatProxy::fleetRelease);
     }
@@ -372,6 +385,7 @@ public final class Fleet {
      * Stops the motors of every boat, latched on each, and of every boat that joins before {@link #releaseAll}. Returns the boats that received the
      * stop.
      */
+    @Override
     public CompletionStage<List<String>> stopAll() {
         return onFleet(boats -> {
             stopped = true;
@@ -383,6 +397,7 @@ public final class Fleet {
     }
 
     /** Ends the fleet stop; boats go on with their missions' commands. Returns the boats that received the release. */
+    @Override
     public CompletionStage<List<String>> releaseAll() {
         return onFleet(boats -> {
             stopped = false;

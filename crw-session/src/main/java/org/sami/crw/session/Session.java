@@ -14,12 +14,14 @@ import java.util.function.Function;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.motion.WayLimits;
+import org.sami.crw.judgement.DraftAnswer;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.Registration;
+import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Decision;
@@ -29,6 +31,7 @@ import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * Runs plans on boats: the engine's host, the domain, the links to boats, the journal and the operator's models together. A window, a
@@ -40,7 +43,7 @@ import org.sami.spn.value.Value;
  * <p>Methods may be called from any thread and return at once, but where said. What comes of them arrives on the front's executor: a
  * value, or a {@link RefusedException} that says why not. Neither the engine's nor the fleet's thread ever waits for a listener.
  */
-public final class Session implements AutoCloseable {
+public final class Session implements FrontSession, AutoCloseable {
     private final SessionSetup setup;
     private final SessionParts parts;
     private final SessionEngine engine;
@@ -140,21 +143,25 @@ public final class Session implements AutoCloseable {
      * @param parameters start values by {@code eventId.field} or {@code field}, and variables by {@code @name}; the plan asks for missing ones
      * @return the mission's id
      */
+    @Override
     public CompletionStage<Long> start(String plan, String name, Map<String, Value> parameters) {
         return engine.posted().post(new Input.StartMission(plan, name, parameters), EngineAnswers::startedMission);
     }
 
     /** Aborts a mission: its boats stop doing what it asked. */
+    @Override
     public CompletionStage<Void> abort(long mission) {
         return post(new Input.AbortMission(mission));
     }
 
     /** Aborts all missions. */
+    @Override
     public CompletionStage<Void> abortAll() {
         return post(new Input.AbortMission(Ids.NONE));
     }
 
     /** Completes a mission. */
+    @Override
     public CompletionStage<Void> complete(long mission) {
         return post(new Input.CompleteMission(mission));
     }
@@ -165,6 +172,7 @@ public final class Session implements AutoCloseable {
      * @param mission that offers it, or {@link Ids#NONE} for every mission that does
      * @param boats whom it is about; empty for a general one, or where they are to be chosen
      */
+    @Override
     public CompletionStage<Void> press(String interrupt, long mission, List<String> boats) {
         return post(new Input.Interrupt(mission, interrupt, boats));
     }
@@ -183,7 +191,19 @@ public final class Session implements AutoCloseable {
                         effects -> EngineAnswers.answered(decision, effects));
     }
 
+    @Override
+    public CompletionStage<List<String>> answerJudged(Decision decision, Answer answer, String by) {
+        return drafts.judge(decision, DraftAnswer.of(answer, decision.question()))
+                .thenCompose(judged -> {
+                    judged.refusal().ifPresent(why -> {
+                        throw new RefusedException(why);
+                    });
+                    return answer(decision.id(), answer, by).thenApply(done -> judged.doubts());
+                });
+    }
+
     /** Stops the timer of a decision: autonomy does not answer it any longer. Refused where no timer runs. */
+    @Override
     public CompletionStage<Void> hold(long decision) {
         return post(new Input.HoldDecision(decision));
     }
@@ -192,21 +212,25 @@ public final class Session implements AutoCloseable {
      * Asks once more of boats and services what failed for a mission that cannot go on ({@link org.sami.crw.operator.mission.StuckMission}). Refused where
      * nothing has failed that can be asked again.
      */
+    @Override
     public CompletionStage<Void> sendAgain(long mission) {
         return actions.sendAgain(mission);
     }
 
     /** Writes a variable as a mission would; {@link Ids#NONE} writes a global one. */
+    @Override
     public CompletionStage<Void> setVariable(long mission, String variable, Value value) {
         return post(new Input.SetVariable(mission, variable, value));
     }
 
     /** Takes a boat out of one mission, which waits for it no longer; the boat goes on with what others want of it. */
+    @Override
     public CompletionStage<Void> drop(String boat, long mission) {
         return post(new Input.ProxyDropped(boat, mission));
     }
 
     /** Takes a boat out of all missions and disconnects it. When it is connected again, it joins as a new one. */
+    @Override
     public CompletionStage<Void> drop(String boat) {
         return drop(boat, Ids.NONE)
                 .thenCompose(dropped -> fleet.disconnect(boat))
@@ -219,6 +243,7 @@ public final class Session implements AutoCloseable {
      * Gives a task to another boat, or to nobody. Refused where the task is not of a running mission or is complete, or where the boat
      * takes no part in the mission.
      */
+    @Override
     public CompletionStage<Void> moveTask(TaskId task, Optional<String> boat) {
         return actions.moveTask(task, boat);
     }
@@ -233,6 +258,37 @@ public final class Session implements AutoCloseable {
         parts.models.log().note(text, position);
     }
 
+    @Override
+    public CompletionStage<Void> addNote(String text, Optional<GeoPoint> position) {
+        note(text, position);
+        return CompletableFuture.completedFuture(null);
+    }
+
+    @Override
+    public Optional<Session> inProcess() {
+        return Optional.of(this);
+    }
+
+    @Override
+    public Vocabulary vocabulary() {
+        return setup.vocabulary();
+    }
+
+    @Override
+    public Project firstProject() {
+        return setup.project();
+    }
+
+    @Override
+    public long nowMillis() {
+        return parts.threads.nowMs();
+    }
+
+    @Override
+    public CompletionStage<Void> caughtUp() {
+        return ask(view -> true).thenCompose(asked -> fleet.ask(boats -> null));
+    }
+
     private CompletionStage<Void> post(Input input) {
         return engine.posted().post(input, effects -> null);
     }
@@ -245,6 +301,7 @@ public final class Session implements AutoCloseable {
     // ---- boats, operators, listeners, models
 
     /** The boats. */
+    @Override
     public Fleet fleet() {
         return fleet;
     }
@@ -255,6 +312,7 @@ public final class Session implements AutoCloseable {
     }
 
     /** What lies before the operator; belongs to the front's executor. */
+    @Override
     public OperatorModels models() {
         return parts.models;
     }
@@ -265,6 +323,7 @@ public final class Session implements AutoCloseable {
     }
 
     /** Adds a listener to the engine's steps; called on the engine's thread, must be quick. */
+    @Override
     public Registration addListener(HostListener listener) {
         return engine.host().addListener(listener);
     }
@@ -283,6 +342,7 @@ public final class Session implements AutoCloseable {
     }
 
     /** Asks the engine's state. */
+    @Override
     public <T> CompletionStage<T> ask(Function<EngineView, T> question) {
         return engine.ask(question);
     }
@@ -291,6 +351,7 @@ public final class Session implements AutoCloseable {
      * Finds the way on which a boat would go along a path for a mission now: from where it is, with the turns around what the mission's plan and the
      * project avoid. Empty for a boat of which it is not known where it is.
      */
+    @Override
     public CompletionStage<Optional<List<GeoPoint>>> way(long mission, String boat, GeoPath path) {
         CompletionStage<Optional<BoatStart>> start =
                 fleet().ask(boats -> boats.find(boat).flatMap(proxy -> BoatStart.of(proxy, setup.services())));
@@ -308,6 +369,7 @@ public final class Session implements AutoCloseable {
     /**
      * The paths of the boats that wait for the answer to a decision about their ways; empty where it is about something else, or is answered.
      */
+    @Override
     public CompletionStage<Optional<DoubtedPaths>> doubtedPaths(Decision decision) {
         return ask(view -> view.subject(decision.id()))
                 .thenCompose(about -> fleet().ask(boats ->

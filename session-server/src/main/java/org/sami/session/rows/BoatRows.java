@@ -80,6 +80,10 @@ final class BoatRows {
         row.put("moving", boat.why().shouldMove());
         row.put("stopped", boat.stop().where() != StopLatch.Where.NOWHERE);
         row.put("flies", boat.flies());
+        if (boat.stop().where() != StopLatch.Where.NOWHERE) {
+            row.put("stop", word(boat.stop().where()));
+            Table.Builder.put(row, "stoppedBy", boat.stop().by());
+        }
     }
 
     /** The ways that boats go now, or are expected to go home. */

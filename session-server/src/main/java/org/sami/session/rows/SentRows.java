@@ -12,6 +12,12 @@ public final class SentRows {
     private final Map<String, Map<String, ObjectNode>> sent = new HashMap<>();
     private long number;
 
+    /** Begins again: the next message is full. */
+    public void restart() {
+        sent.clear();
+        number = 0;
+    }
+
     /** A message with the rows that are other than those sent before; empty where none is. What it contains counts as sent. */
     public Optional<ObjectNode> changes(List<Table> tables, long nowMillis) {
         ObjectNode set = JsonNodeFactory.instance.objectNode();

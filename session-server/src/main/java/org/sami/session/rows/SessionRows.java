@@ -51,6 +51,14 @@ public final class SessionRows {
                 List.of(models.missions().snapshot()),
                 () -> SituationRows.missions(models.missions().snapshot()));
         remake(
+                "stuck",
+                List.of(models.missions().snapshot()),
+                () -> SituationRows.stuck(models.missions().snapshot()));
+        remake(
+                "unreached",
+                List.of(models.unreached().snapshot()),
+                () -> SituationRows.unreached(models.unreached().snapshot()));
+        remake(
                 "buttons",
                 List.of(models.interrupts().snapshot()),
                 () -> SituationRows.buttons(models.interrupts().snapshot()));

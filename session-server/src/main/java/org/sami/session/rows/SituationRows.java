@@ -7,6 +7,7 @@ import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.boat.BoatCommunication;
 import org.sami.crw.operator.boat.FleetStopState;
 import org.sami.crw.operator.boat.ProxyStatus;
+import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.operator.health.Health;
 import org.sami.crw.operator.health.HealthEntry;
 import org.sami.crw.operator.map.MapSnapshot;
@@ -15,6 +16,7 @@ import org.sami.crw.operator.map.ShownPlace;
 import org.sami.crw.operator.mission.InterruptChoice;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
+import org.sami.crw.operator.mission.StuckMission;
 import org.sami.spn.protocol.Ids;
 
 /** Rows of missions, buttons, messages, alarms, faults, areas and the fleet. */
@@ -78,6 +80,8 @@ final class SituationRows {
             mission(row, "mission", entry.message().mission());
             row.put("acknowledged", entry.acknowledged());
             row.put("count", entry.count());
+            row.put("source", BoatRows.word(entry.message().source()));
+            Table.Builder.put(row, "keyword", entry.message().keyword());
         }
         return table.build();
     }
@@ -104,6 +108,7 @@ final class SituationRows {
             row.put("text", Table.Builder.cut(alarm.text()));
             row.put("advice", alarm.kind().advice());
             Table.Builder.put(row, "boat", alarm.boat());
+            Table.Builder.put(row, "other", alarm.other());
             row.put("since", alarm.sinceMillis());
             row.put("active", alarm.active());
             row.put("acknowledged", alarm.acknowledged());
@@ -121,7 +126,44 @@ final class SituationRows {
                     .put("severity", BoatRows.word(entry.severity()))
                     .put("text", Table.Builder.cut(entry.fault().text()))
                     .put("advice", Table.Builder.cut(entry.fault().advice()))
-                    .put("since", entry.sinceMillis());
+                    .put("since", entry.sinceMillis())
+                    .put("kind", BoatRows.word(entry.fault().kind()))
+                    .put("subject", entry.fault().subject())
+                    .put("details", Table.Builder.cut(entry.fault().details()))
+                    .put("boat", entry.fault().boat())
+                    .put("mission", String.valueOf(entry.fault().mission()));
+        }
+        return table.build();
+    }
+
+    static Table stuck(MissionsSnapshot snapshot) {
+        Table.Builder table = new Table.Builder("stuck", MOST);
+        List<StuckMission> all = snapshot.missions().stream()
+                .flatMap(mission -> mission.stuck().stream())
+                .distinct()
+                .toList();
+        for (StuckMission stuck : all) {
+            ObjectNode row = table.row(String.valueOf(stuck.mission()));
+            row.put("root", String.valueOf(stuck.root()));
+            row.put("title", Table.Builder.cut(stuck.title()));
+            row.put("since", stuck.sinceMillis());
+            row.put("what", Table.Builder.cut(stuck.what()));
+            row.put("help", Table.Builder.cut(stuck.help()));
+            Table.Builder.ids(row, "boats", stuck.boats());
+            row.put("again", stuck.canBeSentAgain());
+        }
+        return table.build();
+    }
+
+    static Table unreached(List<UnreachedBoat> all) {
+        Table.Builder table = new Table.Builder("unreached", MOST);
+        for (UnreachedBoat one : all) {
+            ObjectNode row = table.row(one.address());
+            Table.Builder.put(row, "boat", one.boat());
+            row.put("reason", Table.Builder.cut(one.reason()));
+            row.put("refused", one.refused());
+            row.put("tries", one.tries());
+            row.put("since", one.sinceMillis());
         }
         return table.build();
     }
@@ -157,6 +199,7 @@ final class SituationRows {
         Table.Builder table = new Table.Builder("fleet", 1);
         table.row("fleet")
                 .put("stopped", stop.isOfFleet())
+                .put("every", stop.everyBoat())
                 .put("words", Table.Builder.cut(stop.words()))
                 .put("advice", stop.isLatched() ? Table.Builder.cut(stop.advice()) : "")
                 .put("boats", boats)

@@ -53,6 +53,10 @@ record FrontMessage(String type, long id, JsonNode body) {
             Map.entry("holdBoat", Set.of("boat")),
             Map.entry("giveBack", Set.of("boat")),
             Map.entry("acknowledge", Set.of("message", "alarm")),
+            Map.entry("follow", Set.of("session", "after")),
+            Map.entry("input", Set.of("input")),
+            Map.entry("again", Set.of("mission")),
+            Map.entry("boat", Set.of("do", "boat", "client", "address", "lat", "lon", "count")),
             Map.entry("note", Set.of("text", "lat", "lon")),
             Map.entry("ping", Set.of()));
 

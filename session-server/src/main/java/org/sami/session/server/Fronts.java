@@ -3,12 +3,14 @@ package org.sami.session.server;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
@@ -46,6 +48,8 @@ final class Fronts implements AutoCloseable {
     private final Map<String, MessageAllowance> failedLogins = new HashMap<>();
     private final SessionRows rows;
     private final HandDriving hand;
+    private final JournalFeed feed;
+    private final Following following;
     private final FrontCommands commands;
     private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread one = new Thread(work, "session server");
@@ -63,11 +67,18 @@ final class Fronts implements AutoCloseable {
         PeopleNews news = new PeopleNews(session, this::sendToAll);
         rows = new SessionRows(session.models(), session.setup().vocabulary().types());
         hand = new HandDriving(session, news);
+        feed = new JournalFeed(session);
+        following = new Following(session, feed, this::execute);
         commands = new FrontCommands(session, settled, hand, news);
     }
 
-    /** Begins. */
-    void start() {
+    /**
+     * Begins; before the session does.
+     *
+     * @throws IOException if the session's journal cannot be read
+     */
+    void start() throws IOException {
+        feed.start();
         session.execute(() -> session.addOperator(settled));
         var unused = thread.scheduleAtFixedRate(() -> guarded(this::tick), TICK_MS, TICK_MS, TimeUnit.MILLISECONDS);
     }
@@ -129,6 +140,7 @@ final class Fronts implements AutoCloseable {
     private void closed(Front front) {
         execute(() -> {
             if (open.remove(front)) {
+                following.left(front);
                 hand.left(front);
             }
         });
@@ -159,9 +171,12 @@ final class Fronts implements AutoCloseable {
         }
         front.login(person.get());
         try {
-            commands.carryOut(front, person.get(), message).whenComplete((reply, fault) -> {
+            CompletionStage<CommandReply> carriedOut = message.type().equals("follow")
+                    ? following.follow(front, message)
+                    : commands.carryOut(front, person.get(), message);
+            carriedOut.whenComplete((reply, fault) -> {
                 if (fault == null) {
-                    front.done(message.id(), reply);
+                    execute(() -> following.afterAll(front, () -> front.done(message.id(), reply)));
                 } else {
                     front.refuse(message.id(), RefusedException.reason(fault));
                 }
@@ -262,8 +277,10 @@ final class Fronts implements AutoCloseable {
         Table present = PeopleRows.of(open);
         for (Front front : ready) {
             front.person().ifPresent(person -> {
+                following.send(front);
                 List<Table> tables = rows.tables(person);
                 tables.add(present);
+                tables.removeIf(table -> !following.needs(front, table));
                 front.rows().changes(tables, now).ifPresent(message -> front.send(message.toString()));
             });
         }
@@ -288,6 +305,7 @@ final class Fronts implements AutoCloseable {
     @Override
     public void close() {
         execute(() -> List.copyOf(open).forEach(front -> front.end(StatusCode.SHUTDOWN, "the session ends")));
+        feed.close();
         thread.shutdown();
         try {
             if (!thread.awaitTermination(2, TimeUnit.SECONDS)) {

@@ -98,7 +98,12 @@ public final class SessionServer implements AutoCloseable {
             one.stopServer();
             throw new IOException("the session cannot be served: " + fault.getMessage(), fault);
         }
-        one.fronts.start();
+        try {
+            one.fronts.start();
+        } catch (IOException unreadable) {
+            one.close();
+            throw unreadable;
+        }
         return one;
     }
 

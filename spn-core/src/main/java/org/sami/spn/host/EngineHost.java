@@ -184,6 +184,24 @@ public final class EngineHost implements AutoCloseable, HandlerSupport {
     }
 
     /**
+     * The whole state with the index of the last input in it, for an engine elsewhere that goes on from there with the inputs that listeners hear of.
+     * Waits as {@link #ask} does.
+     *
+     * @throws IllegalStateException in words, while the journal is waited for: the state has inputs then that nobody has heard of
+     */
+    public HostState capture() {
+        lock.lock();
+        try {
+            if (engine.undurable() > 0) {
+                throw new IllegalStateException("the session waits for its journal");
+            }
+            return new HostState(engine.lastIndex(), engine.encode());
+        } finally {
+            release();
+        }
+    }
+
+    /**
      * Goes on with a state that was restored: delivers the open activations again, in order of id, and arms the timers.
      * Called once, after handlers and listeners were registered and before the first posting.
      */

@@ -126,6 +126,11 @@ final class JournaledEngine {
                 .isPresent();
     }
 
+    /** The state after the last step, as bytes. */
+    byte[] encode() {
+        return engine.encode();
+    }
+
     /** Offers the journal the state after the last step. */
     void offerSnapshot() throws IOException {
         journal.offerSnapshot(engine::encode);

@@ -35,9 +35,14 @@ final class ConsoleEnd implements SessionListener {
         if (attended) {
             lines.print("Boats can still be stopped ('stop all') and driven; 'quit' stops them and ends (exit code 4)");
         } else {
-            console.end();
-            over.countDown();
+            end();
         }
+    }
+
+    /** Ends it, also while it waits for a line that nobody types. */
+    void end() {
+        console.end();
+        over.countDown();
     }
 
     /** Runs it; gives how many commands were not carried out. */

@@ -6,6 +6,7 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.output.ExitCode;
@@ -31,7 +32,9 @@ import picocli.CommandLine.Spec;
                     + " one fleet.",
             "Boats can be connected, added and dropped meanwhile. At a terminal lines are edited and completed (Tab); "
                     + "'help' lists the commands.",
-            "Ends with 'quit' or the end of the input; the boats of all missions are stopped then."
+            "Ends with 'quit' or the end of the input; the boats of all missions are stopped then.",
+            "With --session it is the console of a session that 'crw serve' runs in another process, which goes on when"
+                    + " the console is left."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
@@ -39,7 +42,7 @@ import picocli.CommandLine.Spec;
             "1:the project has errors",
             "2:wrong usage, or there is no such file",
             "4:an internal fault: the engine stopped, its journal could not be written, memory ran out; boats were"
-                    + " stopped then",
+                    + " stopped then; or the session elsewhere cannot be taken part in",
             "6:it was ended, but commands were not carried out"
         },
         footerHeading = "%nExamples:%n",
@@ -47,6 +50,7 @@ import picocli.CommandLine.Spec;
             "  crw session --connect 10.0.0.11:11411,10.0.0.12:11411 --journal today.journal",
             "  crw session --near                               all boats near that are paired",
             "  crw session my-project.json",
+            "  crw session --session wss://10.0.0.5:8443 --person anna --key-file anna.key",
             "  echo 'add boat 45.70,10.72 3' | crw session station-keep"
         })
 public final class SessionCommand implements Callable<Integer> {
@@ -58,6 +62,9 @@ public final class SessionCommand implements Callable<Integer> {
 
     @Mixin
     private SessionOptions options = new SessionOptions();
+
+    @Mixin
+    private RemoteOptions remote = new RemoteOptions();
 
     @Option(
             names = "--script",
@@ -71,6 +78,10 @@ public final class SessionCommand implements Callable<Integer> {
             throw new UsageFault("--script: " + script + " cannot be read");
         }
         boolean attended = script == null && Terminal.onStandardInputAndOutput();
+        remote.check(spec.commandLine(), Set.of("--script"));
+        if (remote.isGiven()) {
+            return new RemoteConsole(spec.commandLine().getOut(), attended).run(remote, this::lines, WITH_FAULTS);
+        }
         return options.open(attended, (session, begin) -> run(session, begin, attended));
     }
 

@@ -221,17 +221,15 @@ final class SessionOptions {
             project = source.project().get();
         }
         NamedConditions stated = conditions == null ? NamedConditions.FIELD : conditions;
-        SessionSetup setup = SessionSetup.of(library.vocabulary(), project);
-        if (journal != null) {
-            Map<String, String> settings = new HashMap<>(stated.settings());
-            Optional.ofNullable(conditions).ifPresent(water -> settings.putAll(water.waterSettings()));
-            settings.put("kind", "session");
-            JournalHeader header = JournalHeader.of(
-                    new ProjectWriter(library.vocabulary()).text(project),
-                    library.files().texts(),
-                    settings);
-            setup = setup.with(SessionJournal.create(journal, header));
-        }
+        Map<String, String> settings = new HashMap<>(stated.settings());
+        Optional.ofNullable(conditions).ifPresent(water -> settings.putAll(water.waterSettings()));
+        settings.put("kind", "session");
+        JournalHeader header = JournalHeader.of(
+                new ProjectWriter(library.vocabulary()).text(project),
+                library.files().texts(),
+                settings);
+        SessionJournal kept = journal == null ? SessionJournal.none(header) : SessionJournal.create(journal, header);
+        SessionSetup setup = SessionSetup.of(library.vocabulary(), project).with(kept);
         return Optional.of(new Asked(setup, stated, Optional.ofNullable(conditions), false));
     }
 

@@ -29,6 +29,7 @@ import org.sami.spn.journal.TelemetryRow;
  */
 public final class SessionJournal implements Closeable {
     private final Optional<StoredJournal> stored;
+    private final Optional<JournalHeader> header;
     private final InputJournal inputs;
     private final boolean resumed;
     private final long cameToMillis;
@@ -36,6 +37,7 @@ public final class SessionJournal implements Closeable {
 
     private SessionJournal(StoredJournal journal) {
         stored = Optional.of(journal);
+        header = Optional.of(journal.header());
         inputs = journal;
         resumed = false;
         cameToMillis = 0;
@@ -44,14 +46,16 @@ public final class SessionJournal implements Closeable {
 
     private SessionJournal(StoredJournal journal, Telemetry earlier) {
         stored = Optional.of(journal);
+        header = Optional.of(journal.header());
         inputs = journal;
         resumed = true;
         cameToMillis = earlier.rows().stream().mapToLong(TelemetryRow::atMillis).reduce(inputs.lastMillis(), Math::max);
         telemetryDamage = earlier.damage();
     }
 
-    private SessionJournal(InputJournal inputs) {
+    private SessionJournal(InputJournal inputs, Optional<JournalHeader> header) {
         stored = Optional.empty();
+        this.header = header;
         this.inputs = inputs;
         resumed = false;
         cameToMillis = 0;
@@ -63,9 +67,18 @@ public final class SessionJournal implements Closeable {
         return over(new NoJournal());
     }
 
+    /**
+     * A journal that nobody reads again.
+     *
+     * @param header what it would say before its first entry, for fronts in other processes
+     */
+    public static SessionJournal none(JournalHeader header) {
+        return new SessionJournal(new NoJournal(), Optional.of(header));
+    }
+
     /** A journal of inputs that another owner keeps, for a session that begins; telemetry is not kept. */
     public static SessionJournal over(InputJournal inputs) {
-        return new SessionJournal(inputs);
+        return new SessionJournal(inputs, Optional.empty());
     }
 
     /**
@@ -110,9 +123,9 @@ public final class SessionJournal implements Closeable {
         }
     }
 
-    /** What the journal says before its first entry; empty where nobody reads it again. */
+    /** What the journal says before its first entry; empty where nobody reads it. */
     public Optional<JournalHeader> header() {
-        return stored.map(StoredJournal::header);
+        return header;
     }
 
     /** What was wrong with the journal, in a sentence; empty text where nothing was. */
@@ -184,9 +197,9 @@ public final class SessionJournal implements Closeable {
         }
     }
 
-    /** Whether added telemetry is kept; otherwise none need be made. */
+    /** Whether added telemetry is kept, or may be followed by fronts elsewhere; otherwise none need be made. */
     public boolean keepsTelemetry() {
-        return stored.isPresent();
+        return header.isPresent();
     }
 
     void addTelemetry(TelemetryRow row) throws IOException {

@@ -8,9 +8,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.command.UploadCount;
+import org.sami.spn.host.ListenerList;
+import org.sami.spn.host.Registration;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
@@ -36,6 +39,7 @@ public final class SessionTelemetry {
 
     private final SessionJournal journal;
     private final LongSupplier nowMillis;
+    private final ListenerList<Consumer<TelemetryRow>> listeners = new ListenerList<>();
     private final Map<ReadingBatch.Channel, ReadingBatch> batches = new LinkedHashMap<>();
     private Optional<SessionNote> problem = Optional.empty();
 
@@ -48,6 +52,11 @@ public final class SessionTelemetry {
     /** A process begins or goes on. */
     public void begun() {
         add(nowMillis.getAsLong(), "", BEGUN, TelemetryForms.Nothing.AT_ALL);
+    }
+
+    /** Adds a listener, which is given each row on the thread that adds it, whether or not the journal keeps it; it must be quick. */
+    public Registration addListener(Consumer<TelemetryRow> listener) {
+        return listeners.add(listener);
     }
 
     /** Notes where a boat was, and how far it had come. */
@@ -126,8 +135,13 @@ public final class SessionTelemetry {
      */
     public synchronized void add(long atMillis, String boat, String kind, Object json) {
         try {
+            if (problem.isPresent() && listeners.isEmpty()) {
+                return;
+            }
+            TelemetryRow row = new TelemetryRow(atMillis, boat, kind, JSON.writeValueAsString(json));
+            listeners.each(listener -> listener.accept(row));
             if (problem.isEmpty()) {
-                journal.addTelemetry(new TelemetryRow(atMillis, boat, kind, JSON.writeValueAsString(json)));
+                journal.addTelemetry(row);
             }
         } catch (IOException e) {
             String text = "telemetry is no longer kept in the journal: " + e.getMessage();

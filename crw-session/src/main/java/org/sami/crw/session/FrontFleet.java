@@ -1,0 +1,66 @@
+package org.sami.crw.session;
+
+import java.util.List;
+import java.util.concurrent.CompletionStage;
+import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * What a front may do with the boats of a session, wherever that runs. Methods may be called from any thread and return at once; what comes of them arrives on the front's
+ * executor, a refusal as a {@link RefusedException}.
+ */
+public interface FrontFleet {
+    /** Connects to a boat's server, and keeps at it. Gives the boat's id when it has answered. */
+    CompletionStage<String> connect(BoatAddress address);
+
+    /** Gives up a boat and its address. Gives whether it was known. */
+    CompletionStage<Boolean> disconnect(String boat);
+
+    /** Gives up an address. Gives whether it was known. */
+    CompletionStage<Boolean> disconnect(BoatAddress address);
+
+    /** Adds simulated boats on the session's machine. Gives their ids. */
+    CompletionStage<List<String>> addSimulated(String name, GeoPoint start, int count);
+
+    /** Why a boat moves or does not. */
+    CompletionStage<BoatExplanation> why(String boat);
+
+    /** Takes the command of a boat, whoever had it before. */
+    CompletionStage<Void> takeCommand(String boat);
+
+    /** Asks the commander of a boat for its command. */
+    CompletionStage<Void> askForCommand(String boat);
+
+    /** Only watches a boat from now on. */
+    CompletionStage<Void> handOver(String boat);
+
+    /** Gives a boat's command to another base, by its client id. */
+    CompletionStage<Void> handOver(String boat, String clientId);
+
+    /**
+     * Drives a boat by hand; to be repeated at least every {@value #DRIVE_MS} ms.
+     *
+     * @param thrust part of full thrust, -1 to 1
+     * @param rudder part of full steering effort, -1 (port) to 1 (starboard)
+     */
+    CompletionStage<Void> teleoperate(String boat, double thrust, double rudder);
+
+    /** How often a boat is driven by hand at least, in ms. */
+    long DRIVE_MS = 300;
+
+    /** Gives a boat that was driven by hand back to the missions. */
+    CompletionStage<Void> handBack(String boat);
+
+    /** Stops the motors of one boat until {@link #release}. */
+    CompletionStage<Void> stop(String boat);
+
+    /** Ends the stop of one boat. */
+    CompletionStage<Void> release(String boat);
+
+    /** Stops every boat, and those that join, until {@link #releaseAll}. Gives the boats that received it. */
+    CompletionStage<List<String>> stopAll();
+
+    /** Ends the fleet stop. Gives the boats that received the release. */
+    CompletionStage<List<String>> releaseAll();
+}

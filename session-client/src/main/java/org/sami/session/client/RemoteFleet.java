@@ -1,0 +1,137 @@
+package org.sami.session.client;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
+import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.FrontFleet;
+import org.sami.crw.session.RefusedException;
+import org.sami.spn.value.GeoPoint;
+
+/** The boats of a session in another process. A boat is claimed for this person before it is driven by hand, and given back with it. Safe for use by several threads. */
+final class RemoteFleet implements FrontFleet {
+    private final RemoteSession session;
+    private final Set<String> claimed = ConcurrentHashMap.newKeySet();
+
+    RemoteFleet(RemoteSession session) {
+        this.session = session;
+    }
+
+    /** The server has ended this connection's claims. */
+    void disconnected() {
+        claimed.clear();
+    }
+
+    private static ObjectNode told(String what, String boat) {
+        return RemoteSession.message("boat").put("do", what).put("boat", boat);
+    }
+
+    private CompletionStage<Void> tell(String what, String boat) {
+        return session.ask(told(what, boat)).thenAccept(done -> {});
+    }
+
+    @Override
+    public CompletionStage<String> connect(BoatAddress address) {
+        return session.ask(RemoteSession.message("boat").put("do", "connect").put("address", address.toString()))
+                .thenApply(done -> done.path("text").asText());
+    }
+
+    @Override
+    public CompletionStage<Boolean> disconnect(String boat) {
+        return session.ask(told("disconnect", boat)).thenApply(done -> true);
+    }
+
+    @Override
+    public CompletionStage<Boolean> disconnect(BoatAddress address) {
+        return session.ask(RemoteSession.message("boat").put("do", "disconnect").put("address", address.toString()))
+                .thenApply(done -> true);
+    }
+
+    @Override
+    public CompletionStage<List<String>> addSimulated(String name, GeoPoint start, int count) {
+        return session.ask(told("add", name)
+                        .put("lat", start.latDeg())
+                        .put("lon", start.lonDeg())
+                        .put("count", count))
+                .thenApply(RemoteFleet::boats);
+    }
+
+    private static List<String> boats(JsonNode done) {
+        return LinkRowReader.texts(done.path("boats"));
+    }
+
+    @Override
+    public CompletionStage<BoatExplanation> why(String boat) {
+        return session.models()
+                .fleet()
+                .boat(boat)
+                .map(BoatSnapshot::why)
+                .map(CompletableFuture::completedFuture)
+                .orElseGet(
+                        () -> CompletableFuture.failedFuture(new RefusedException("there is no boat '" + boat + "'")));
+    }
+
+    @Override
+    public CompletionStage<Void> takeCommand(String boat) {
+        return tell("take", boat);
+    }
+
+    @Override
+    public CompletionStage<Void> askForCommand(String boat) {
+        return tell("ask", boat);
+    }
+
+    @Override
+    public CompletionStage<Void> handOver(String boat) {
+        return tell("watch", boat);
+    }
+
+    @Override
+    public CompletionStage<Void> handOver(String boat, String clientId) {
+        return session.ask(told("give", boat).put("client", clientId)).thenAccept(done -> {});
+    }
+
+    @Override
+    public CompletionStage<Void> teleoperate(String boat, double thrust, double rudder) {
+        CompletionStage<Void> mine = claimed.contains(boat)
+                ? CompletableFuture.completedFuture(null)
+                : session.ask(RemoteSession.message("claim").put("boat", boat)).thenAccept(done -> claimed.add(boat));
+        return mine.thenCompose(ready -> session.ask(RemoteSession.message("drive")
+                        .put("boat", boat)
+                        .put("thrust", thrust)
+                        .put("rudder", rudder)))
+                .thenAccept(done -> {});
+    }
+
+    @Override
+    public CompletionStage<Void> handBack(String boat) {
+        return session.ask(RemoteSession.message("giveBack").put("boat", boat))
+                .thenAccept(done -> claimed.remove(boat));
+    }
+
+    @Override
+    public CompletionStage<Void> stop(String boat) {
+        return tell("stop", boat);
+    }
+
+    @Override
+    public CompletionStage<Void> release(String boat) {
+        return tell("release", boat);
+    }
+
+    @Override
+    public CompletionStage<List<String>> stopAll() {
+        return session.ask(RemoteSession.message("stopFleet")).thenApply(RemoteFleet::boats);
+    }
+
+    @Override
+    public CompletionStage<List<String>> releaseAll() {
+        return session.ask(RemoteSession.message("releaseFleet")).thenApply(RemoteFleet::boats);
+    }
+}

@@ -1,0 +1,438 @@
+package org.sami.session.client;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.time.LocalTime;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.sami.crw.decision.DoubtedPaths;
+import org.sami.crw.handler.motion.WayLimits;
+import org.sami.crw.operator.FollowFeed;
+import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.replay.FollowedSession;
+import org.sami.crw.session.FrontFleet;
+import org.sami.crw.session.FrontSession;
+import org.sami.crw.session.RefusedException;
+import org.sami.crw.session.Session;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.host.Registration;
+import org.sami.spn.json.ProtocolJson;
+import org.sami.spn.json.UnreadableJsonException;
+import org.sami.spn.model.Project;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+import org.sami.spn.vocabulary.Vocabulary;
+
+/**
+ * A session that runs in another process and is served by {@code crw serve} (docs/session-link.md). Models and engine here follow it; commands are requests to its server,
+ * which says what came of them after their results have arrived here. A lost connection is made again by itself, and what is shown meanwhile is as it was seen last.
+ */
+public final class RemoteSession implements FrontSession, AutoCloseable {
+    private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
+
+    private final SessionAddress address;
+    private final Executor front;
+    private final RemoteListener listener;
+    private final Supplier<LocalTime> wallClock;
+    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(named("session link"));
+    private final ExecutorService computing = Executors.newSingleThreadExecutor(named("map"));
+    private final RemoteFleet fleet = new RemoteFleet(this);
+    private final CompletableFuture<SessionCopy> first = new CompletableFuture<>();
+    private final CompletableFuture<SessionCopy> shown = new CompletableFuture<>(); // with the rows of its boats
+    private final SessionLink link;
+    private final AtomicBoolean closed = new AtomicBoolean();
+    private String person = "";
+    private Optional<LocalTime> seen = Optional.empty();
+    private boolean away;
+
+    private RemoteSession(
+            SessionAddress address,
+            Login login,
+            ServerTrust trust,
+            Executor front,
+            RemoteListener listener,
+            Supplier<LocalTime> wallClock) {
+        this.address = address;
+        this.front = front;
+        this.listener = listener;
+        this.wallClock = wallClock;
+        link = new SessionLink(address, login, trust, new Following(), thread);
+    }
+
+    private static ThreadFactory named(String name) {
+        return work -> {
+            Thread one = new Thread(work, name);
+            one.setDaemon(true);
+            return one;
+        };
+    }
+
+    /**
+     * Connects, logs in and waits until the session is known here.
+     *
+     * @param front where models live and results arrive: a window's event thread, or a thread of the caller's
+     * @param wallClock the time of day, for people
+     * @throws IOException in words, if no server answers, it does not let this person in, or this program cannot follow the session
+     */
+    public static RemoteSession open(
+            SessionAddress address,
+            Login login,
+            ServerTrust trust,
+            Executor front,
+            RemoteListener listener,
+            Supplier<LocalTime> wallClock)
+            throws IOException, InterruptedException {
+        RemoteSession session = new RemoteSession(address, login, trust, front, listener, wallClock);
+        session.link.start();
+        try {
+            session.shown.get();
+            return session;
+        } catch (ExecutionException fault) {
+            session.close();
+            Throwable why = fault.getCause() == null ? fault : fault.getCause();
+            throw new IOException(RefusedException.reason(why), fault);
+        } catch (InterruptedException ended) {
+            session.close();
+            throw ended;
+        }
+    }
+
+    /** Where it is served. */
+    public SessionAddress address() {
+        return address;
+    }
+
+    // ---- what comes from the server; on the link's thread
+
+    private final class Following implements LinkListener {
+        @Override
+        public void welcomed(JsonNode message) {
+            person = message.path("name").asText();
+            ObjectNode follow = message("follow");
+            copy().filter(known -> !known.id().isEmpty())
+                    .ifPresent(known -> follow.put("session", known.id()).put("after", known.reached()));
+            link.request(follow).whenComplete((done, fault) -> {
+                if (fault != null && copy().isEmpty()) {
+                    failed(RefusedException.reason(fault));
+                } else if (fault != null) {
+                    link.again(RefusedException.reason(fault));
+                } else if (away) {
+                    away = false;
+                    listener.back();
+                }
+            });
+        }
+
+        @Override
+        public void received(JsonNode message) {
+            seen = Optional.of(wallClock.get());
+            try {
+                take(message);
+            } catch (UnreadableJsonException | IOException | IllegalArgumentException | IllegalStateException fault) {
+                failed(fault.getMessage() == null ? fault.toString() : fault.getMessage());
+            }
+        }
+
+        @Override
+        public void lost(String why) {
+            fleet.disconnected();
+            if (copy().isEmpty()) {
+                failed(why);
+            } else if (!away) {
+                away = true;
+                listener.lost("connection lost (" + why + "), last seen "
+                        + seen.map(CLOCK::format).orElse("never") + "; it is tried again");
+            }
+        }
+
+        @Override
+        public void ended(String why) {
+            failed(why);
+        }
+    }
+
+    private void take(JsonNode message) throws IOException, UnreadableJsonException {
+        switch (message.path("t").asText()) {
+            case "session" -> begin(message);
+            case "journal" -> {
+                if (copy().isPresent()) {
+                    copy().get().journal(message);
+                }
+            }
+            case "rows" ->
+                copy().ifPresent(known -> {
+                    known.rows(message);
+                    shown.complete(known);
+                });
+            case "news" -> {
+                if (!message.path("by").asText().equals(person)) {
+                    listener.news(message.path("text").asText());
+                }
+            }
+            default -> {
+                // this version does not need it
+            }
+        }
+    }
+
+    private void begin(JsonNode message) throws IOException {
+        Optional<SessionCopy> known = copy();
+        if (known.isPresent() && !known.get().isOf(message)) {
+            throw new IOException("another session is at " + address + " now");
+        }
+        SessionCopy copy = known.isPresent()
+                ? known.get()
+                : new SessionCopy(message, address.toString(), front, computing, acknowledgements());
+        copy.begin(message);
+        first.complete(copy);
+    }
+
+    private FollowFeed.Acknowledgements acknowledgements() {
+        return new FollowFeed.Acknowledgements() {
+            @Override
+            public void message(long number) {
+                acknowledge("message", number);
+            }
+
+            @Override
+            public void alarm(long number) {
+                acknowledge("alarm", number);
+            }
+        };
+    }
+
+    private void acknowledge(String what, long number) {
+        link.request(message("acknowledge").put(what, number)).exceptionally(fault -> {
+            listener.news("not acknowledged: " + RefusedException.reason(fault));
+            return JsonNodeFactory.instance.nullNode();
+        });
+    }
+
+    /** Nothing comes of this connection, ever. */
+    private void failed(String why) {
+        first.completeExceptionally(new RefusedException(why));
+        if (!shown.completeExceptionally(new RefusedException(why))) {
+            listener.ended(why);
+        }
+        link.close();
+    }
+
+    private Optional<SessionCopy> copy() {
+        return first.isDone() && !first.isCompletedExceptionally() ? Optional.of(first.join()) : Optional.empty();
+    }
+
+    private FollowedSession followed() {
+        return first.join().followed();
+    }
+
+    // ---- requests
+
+    static ObjectNode message(String type) {
+        return JsonNodeFactory.instance.objectNode().put("t", type);
+    }
+
+    /** Asks the server for something; its reply arrives on the front's executor, after what followed from it. */
+    CompletionStage<JsonNode> ask(ObjectNode message) {
+        return onFront(link.request(message));
+    }
+
+    private <T> CompletionStage<T> onFront(CompletionStage<T> result) {
+        CompletableFuture<T> arrived = new CompletableFuture<>();
+        result.whenComplete((value, fault) -> front.execute(() -> {
+            if (fault == null) {
+                arrived.complete(value);
+            } else {
+                arrived.completeExceptionally(
+                        fault instanceof CompletionException && fault.getCause() != null ? fault.getCause() : fault);
+            }
+        }));
+        return arrived;
+    }
+
+    private CompletionStage<Void> post(Input input) {
+        return reply(input).thenAccept(done -> {});
+    }
+
+    private CompletionStage<JsonNode> reply(Input input) {
+        ObjectNode message = message("input");
+        message.set("input", ProtocolJson.input(input));
+        return ask(message);
+    }
+
+    // ---- what is seen and asked
+
+    @Override
+    public OperatorModels models() {
+        return followed().models();
+    }
+
+    @Override
+    public Vocabulary vocabulary() {
+        return followed().vocabulary();
+    }
+
+    @Override
+    public Project firstProject() {
+        return followed().project();
+    }
+
+    @Override
+    public long nowMillis() {
+        return first.join().nowMillis();
+    }
+
+    @Override
+    public <T> CompletionStage<T> ask(Function<EngineView, T> question) {
+        return onFront(CompletableFuture.supplyAsync(() -> followed().ask(question), thread));
+    }
+
+    @Override
+    public CompletionStage<Void> caughtUp() {
+        return ask(message("ping")).thenCompose(done -> models().shown());
+    }
+
+    @Override
+    public Registration addListener(HostListener to) {
+        return followed().addListener(to);
+    }
+
+    @Override
+    public CompletionStage<Optional<List<GeoPoint>>> way(long mission, String boat, GeoPath path) {
+        return onFront(CompletableFuture.supplyAsync(() -> followed().start(boat), thread)
+                .thenCombineAsync(
+                        CompletableFuture.supplyAsync(
+                                () -> followed().ask(view -> WayLimits.of(mission, view)), thread),
+                        (start, limits) -> start.map(one -> one.way(path, limits)),
+                        computing));
+    }
+
+    /** Which boats wait is known to the session's handlers only. */
+    @Override
+    public CompletionStage<Optional<DoubtedPaths>> doubtedPaths(Decision decision) {
+        return CompletableFuture.completedFuture(Optional.empty());
+    }
+
+    // ---- what is done
+
+    @Override
+    public CompletionStage<Long> start(String plan, String name, Map<String, Value> parameters) {
+        return reply(new Input.StartMission(plan, name, parameters))
+                .thenApply(done -> done.path("mission").asLong());
+    }
+
+    @Override
+    public CompletionStage<Void> abort(long mission) {
+        return post(new Input.AbortMission(mission));
+    }
+
+    @Override
+    public CompletionStage<Void> abortAll() {
+        return post(new Input.AbortMission(Ids.NONE));
+    }
+
+    @Override
+    public CompletionStage<Void> complete(long mission) {
+        return post(new Input.CompleteMission(mission));
+    }
+
+    @Override
+    public CompletionStage<Void> press(String interrupt, long mission, List<String> boats) {
+        return post(new Input.Interrupt(mission, interrupt, boats));
+    }
+
+    @Override
+    public CompletionStage<List<String>> answerJudged(Decision decision, Answer answer, String by) {
+        return reply(new Input.AnswerDecision(decision.id(), answer, Answerer.OPERATOR))
+                .thenApply(done -> LinkRowReader.texts(done.path("warnings")));
+    }
+
+    @Override
+    public CompletionStage<Void> hold(long decision) {
+        return post(new Input.HoldDecision(decision));
+    }
+
+    @Override
+    public CompletionStage<Void> sendAgain(long mission) {
+        return ask(message("again").put("mission", mission)).thenAccept(done -> {});
+    }
+
+    @Override
+    public CompletionStage<Void> setVariable(long mission, String variable, Value value) {
+        return post(new Input.SetVariable(mission, variable, value));
+    }
+
+    @Override
+    public CompletionStage<Void> drop(String boat, long mission) {
+        return post(new Input.ProxyDropped(boat, mission));
+    }
+
+    @Override
+    public CompletionStage<Void> drop(String boat) {
+        return drop(boat, Ids.NONE);
+    }
+
+    @Override
+    public CompletionStage<Void> moveTask(TaskId task, Optional<String> boat) {
+        return post(new Input.AllocateTasks(Map.of(task, boat)));
+    }
+
+    @Override
+    public CompletionStage<Void> addNote(String text, Optional<GeoPoint> position) {
+        ObjectNode note = message("note").put("text", text);
+        position.ifPresent(at -> note.put("lat", at.latDeg()).put("lon", at.lonDeg()));
+        return ask(note).thenAccept(done -> {});
+    }
+
+    @Override
+    public FrontFleet fleet() {
+        return fleet;
+    }
+
+    @Override
+    public Optional<Session> inProcess() {
+        return Optional.empty();
+    }
+
+    /** Leaves the session, which goes on. */
+    @Override
+    public void close() {
+        if (!closed.compareAndSet(false, true)) {
+            return;
+        }
+        thread.execute(link::close);
+        thread.shutdown();
+        computing.shutdown();
+        try {
+            if (!thread.awaitTermination(2, TimeUnit.SECONDS)) {
+                thread.shutdownNow();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

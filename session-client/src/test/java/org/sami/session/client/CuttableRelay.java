@@ -1,0 +1,78 @@
+package org.sami.session.client;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+
+/** Stands between a front and a server on loopback, and cuts all connections when a test says so. */
+final class CuttableRelay implements Closeable {
+    private final ServerSocket listening = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+    private final InetSocketAddress server;
+    private final List<Socket> sockets = new CopyOnWriteArrayList<>();
+
+    CuttableRelay(InetSocketAddress server) throws IOException {
+        this.server = server;
+        start(this::accept);
+    }
+
+    private static void start(Runnable work) {
+        Thread one = new Thread(work, "relay");
+        one.setDaemon(true);
+        one.start();
+    }
+
+    int port() {
+        return listening.getLocalPort();
+    }
+
+    private void accept() {
+        try {
+            while (true) {
+                Socket front = listening.accept();
+                Socket behind = new Socket(server.getAddress(), server.getPort());
+                sockets.add(front);
+                sockets.add(behind);
+                start(() -> pump(front, behind));
+                start(() -> pump(behind, front));
+            }
+        } catch (IOException closed) {
+            // the test is over
+        }
+    }
+
+    private static void pump(Socket from, Socket to) {
+        byte[] buffer = new byte[8192];
+        try (from;
+                to;
+                InputStream in = from.getInputStream();
+                OutputStream out = to.getOutputStream()) {
+            for (int read = in.read(buffer); read >= 0; read = in.read(buffer)) {
+                out.write(buffer, 0, read);
+                out.flush();
+            }
+        } catch (IOException cut) {
+            // both ends notice it
+        }
+    }
+
+    /** Cuts all connections; new ones are relayed. */
+    void cut() throws IOException {
+        for (Socket socket : sockets) {
+            socket.close();
+        }
+        sockets.clear();
+    }
+
+    @Override
+    public void close() throws IOException {
+        listening.close();
+        cut();
+    }
+}

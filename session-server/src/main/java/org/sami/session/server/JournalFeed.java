@@ -1,0 +1,161 @@
+package org.sami.session.server;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.ArrayDeque;
+import java.util.Base64;
+import java.util.Deque;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.UUID;
+import org.sami.crw.replay.FollowJson;
+import org.sami.crw.session.Session;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.host.HostListener;
+import org.sami.spn.host.HostState;
+import org.sami.spn.host.JournalEntry;
+import org.sami.spn.host.Registration;
+import org.sami.spn.journal.JournalHeader;
+import org.sami.spn.journal.TelemetryRow;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+
+/**
+ * A session's inputs and telemetry since this server began, for fronts that follow it with an engine of their own (docs/session-link.md, Following). Each has a number;
+ * the latest are kept, so that a front which was cut off goes on where it was. Safe for use by several threads.
+ */
+final class JournalFeed implements HostListener, AutoCloseable {
+    /** So many of the latest are kept. */
+    static final int KEPT = 20_000;
+
+    private static final int MOST_IN_MESSAGE = 1000;
+
+    private final String id = UUID.randomUUID().toString();
+    private final Session session;
+    private final KeptRows rows = new KeptRows();
+    private final Map<String, String> documents = new LinkedHashMap<>(); // of loaded projects, by SHA-256
+    private final Deque<Item> items = new ArrayDeque<>();
+    private List<Registration> registrations = List.of();
+    private long last;
+
+    /** An input, or a row. */
+    private record Item(long number, Optional<JournalEntry> entry, Optional<TelemetryRow> row) {
+        ObjectNode json() {
+            return entry.map(FollowJson::write).orElseGet(() -> FollowJson.write(row.orElseThrow()));
+        }
+    }
+
+    /** A feed of a session that has not begun. */
+    JournalFeed(Session session) {
+        this.session = session;
+    }
+
+    /**
+     * Begins; before the session does.
+     *
+     * @throws IOException if the session's journal cannot be read
+     */
+    void start() throws IOException {
+        session.setup().journal().earlier().forEach(row -> rows.take(0, row));
+        session.setup().journal().earlierEntries(entry -> remember(entry.input()));
+        registrations = List.of(session.telemetry().addListener(this::take), session.addListener(this));
+    }
+
+    @Override
+    public void close() {
+        registrations.forEach(Registration::close);
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        synchronized (this) {
+            remember(input);
+            add(Optional.of(new JournalEntry(index, atMillis, input)), Optional.empty());
+        }
+    }
+
+    private void remember(Input input) {
+        if (input instanceof Input.LoadProject load) {
+            documents.put(load.sha256(), load.document());
+        }
+    }
+
+    private synchronized void take(TelemetryRow row) {
+        add(Optional.empty(), Optional.of(row));
+        rows.take(last, row);
+    }
+
+    private void add(Optional<JournalEntry> entry, Optional<TelemetryRow> row) {
+        items.add(new Item(++last, entry, row));
+        if (items.size() > KEPT) {
+            items.poll();
+        }
+    }
+
+    /** Whether somebody who had this session's feed up to a number can go on there. */
+    synchronized boolean has(String session, long number) {
+        long first = items.isEmpty() ? last + 1 : items.element().number();
+        return session.equals(id) && number >= first - 1 && number <= last;
+    }
+
+    /** A message with what follows a number, some of it where it is much; empty where nothing does. Its {@code n} is the number of the last in it. */
+    synchronized Optional<ObjectNode> after(long number) {
+        if (number >= last) {
+            return Optional.empty();
+        }
+        ObjectNode message = JsonNodeFactory.instance.objectNode().put("t", "journal");
+        ArrayNode list = message.putArray("items");
+        long reached = number;
+        for (Item item : newer(number)) {
+            if (list.size() < MOST_IN_MESSAGE) {
+                list.add(item.json());
+                reached = item.number();
+            }
+        }
+        return Optional.of(message.put("n", reached));
+    }
+
+    private Deque<Item> newer(long number) {
+        Deque<Item> newer = new ArrayDeque<>();
+        for (Iterator<Item> back = items.descendingIterator(); back.hasNext(); ) {
+            Item item = back.next();
+            if (item.number() <= number) {
+                break;
+            }
+            newer.addFirst(item);
+        }
+        return newer;
+    }
+
+    /** Whether items up to a number have been let go that somebody at that number lacks. */
+    synchronized boolean lacks(long number) {
+        return !has(id, number);
+    }
+
+    /** A message with all that somebody needs who begins with a state of now. */
+    ObjectNode beginning(JournalHeader header, HostState state, long nowMillis) {
+        ObjectNode message = JsonNodeFactory.instance.objectNode().put("t", "session");
+        message.put("session", id).put("index", state.index()).put("now", nowMillis);
+        message.set("header", FollowJson.write(header));
+        message.put("state", Base64.getEncoder().encodeToString(state.state()));
+        synchronized (this) {
+            long number = items.stream()
+                    .filter(item -> item.entry()
+                            .filter(entry -> entry.index() > state.index())
+                            .isPresent())
+                    .mapToLong(item -> item.number() - 1)
+                    .findFirst()
+                    .orElse(last);
+            message.put("n", number);
+            documents.forEach(message.putObject("documents")::put);
+            ArrayNode list = message.putArray("rows");
+            rows.upTo(number).forEach(row -> list.add(FollowJson.write(row)));
+        }
+        return message;
+    }
+}
