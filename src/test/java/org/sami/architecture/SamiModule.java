@@ -203,6 +203,7 @@ enum SamiModule {
                     NET_PICTURE,
                     CRW_CLI,
                     CRW_SIM,
+                    SESSION_CLIENT,
                     CRW_SESSION,
                     CRW_DOMAIN,
                     CRW_SERVICES,

@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
+import org.sami.crw.gui.remote.ConnectionBand;
+import org.sami.crw.gui.remote.RemoteWindow;
 import org.sami.crw.gui.replay.ReplayWindow;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.ResumeQuestion;
@@ -17,6 +19,7 @@ import org.sami.crw.proxy.near.BoatFinder;
 import org.sami.crw.replay.ReplayedJournal;
 import org.sami.crw.session.Session;
 import org.sami.palette.ProxyMarks;
+import org.sami.session.client.RemoteSession;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.Icons;
@@ -35,6 +38,8 @@ final class WindowStart {
     static void open(StartOptions options, DataDirectory data) throws IOException {
         if (options.replay().isPresent()) {
             openReplay(options, data, System::exit);
+        } else if (options.remote().isPresent()) {
+            openRemote(options, data, System::exit);
         } else {
             openUnlessLeft(options, data, System::exit);
         }
@@ -107,6 +112,33 @@ final class WindowStart {
             made.open(options.atMillis());
             return made;
         });
+    }
+
+    /**
+     * Opens a window over a session in another process.
+     *
+     * @param ended is called when the window was closed
+     * @throws IOException in words, if the session cannot be taken part in
+     */
+    static RemoteWindow openRemote(StartOptions options, DataDirectory data, IntConsumer ended) throws IOException {
+        WindowSettings settings = new WindowSettings(data.settings());
+        ConnectionBand band = EventThread.get(() -> {
+            Look.setHighRows(settings.highRows());
+            Look.apply(options.theme().orElse(settings.theme()), options.scale().orElse(settings.scale()));
+            settings.keepLook();
+            return new ConnectionBand();
+        });
+        try {
+            RemoteSession session = options.remote().orElseThrow().open(EventThread.executor(), band);
+            return EventThread.get(() -> {
+                RemoteWindow made = new RemoteWindow(session, band, data, settings, ended);
+                made.open();
+                return made;
+            });
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            throw new IOException("interrupted", stopped);
+        }
     }
 
     private static HealthFault damagedFile(String trouble, boolean goesOn) {

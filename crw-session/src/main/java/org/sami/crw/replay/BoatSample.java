@@ -7,6 +7,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.status.StopLatch;
 
@@ -33,6 +34,7 @@ public record BoatSample(
         boolean shouldMove,
         String why,
         StopLatch stop,
+        Optional<BoatTuning> settings,
         boolean flies) {
     public BoatSample {
         Objects.requireNonNull(boat, "boat");
@@ -44,5 +46,6 @@ public record BoatSample(
         Objects.requireNonNull(commander, "commander");
         Objects.requireNonNull(why, "why");
         Objects.requireNonNull(stop, "stop");
+        Objects.requireNonNull(settings, "settings");
     }
 }

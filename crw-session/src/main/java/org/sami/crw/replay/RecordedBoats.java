@@ -151,7 +151,7 @@ final class RecordedBoats implements SessionTelemetry.Reader {
                 Optional.empty(),
                 sample.stop(),
                 boat.wayHome,
-                Optional.empty(),
+                sample.settings(),
                 sample.flies());
     }
 

@@ -38,7 +38,7 @@ import org.sami.spn.value.GeoPoint;
  * afterwards; the latest wish replaces the one before. Methods may be called from any thread and return at once; what comes of them arrives on the
  * front's executor, a refusal as a {@link RefusedException}.
  */
-public final class ByHand {
+public final class ByHand implements GuidedBoats {
 
     private final Fleet fleet;
     private final EngineHost host;
@@ -83,6 +83,7 @@ public final class ByHand {
      * or is sent there. Refused where the point lies in such an area, or where there is no way around: nothing is sent then. A message tells what is to
      * be feared on the way, if anything is.
      */
+    @Override
     public CompletionStage<WayByHand> goTo(String boat, GeoPoint point) {
         return go(boat, start -> start.to(point), words(boat, point));
     }
@@ -115,6 +116,7 @@ public final class ByHand {
     }
 
     /** Has a boat keep the place where it is, until it is given back. */
+    @Override
     public CompletionStage<Void> hold(String boat) {
         String command = wish(boat);
         return tell(boat, "has " + boat + " hold its place", proxy -> {
@@ -127,6 +129,7 @@ public final class ByHand {
     }
 
     /** Cancels what the operator asked of a boat: it goes on with the commands of missions. */
+    @Override
     public CompletionStage<Void> giveBack(String boat) {
         wish(boat);
         return tell(

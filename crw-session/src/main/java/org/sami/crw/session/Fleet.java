@@ -286,6 +286,7 @@ public final class Fleet implements FrontFleet {
      * Ends the block by which a mission keeps a boat for itself: its commands stay, and those of other missions have their turn again.
      * Refused where none keeps it. Gives the missions that did.
      */
+    @Override
     public CompletionStage<List<Long>> clearBlock(String boat) {
         return onBoat(boat, proxy -> {
             List<Long> kept = proxy.commands().clearBlocks();
@@ -302,12 +303,21 @@ public final class Fleet implements FrontFleet {
     }
 
     /** Takes one command back from a boat's queue: for its mission it has failed. Refused where the boat does not have it any longer. */
+    @Override
     public CompletionStage<Void> cancel(String boat, String commandId) {
         return onBoat(boat, proxy -> {
             if (!proxy.commands().cancel(commandId, "the operator cancelled it")) {
                 throw new RefusedException(boat + " does not have the command " + commandId + " any longer");
             }
             log.add(Kind.BOAT, "cancelled " + commandId + " of " + boat, boat);
+            return null;
+        });
+    }
+
+    @Override
+    public CompletionStage<Void> sendPathAgain(String boat) {
+        return onBoat(boat, proxy -> {
+            proxy.commands().sendPathAgain();
             return null;
         });
     }

@@ -49,6 +49,15 @@ public interface FrontFleet {
     /** How often a boat is driven by hand at least, in ms. */
     long DRIVE_MS = 300;
 
+    /** Ends the block by which missions keep a boat for themselves. Gives those missions. */
+    CompletionStage<List<Long>> clearBlock(String boat);
+
+    /** Takes one command back from a boat's queue: for its mission it has failed. */
+    CompletionStage<Void> cancel(String boat, String commandId);
+
+    /** Has a boat be sent its path once more. */
+    CompletionStage<Void> sendPathAgain(String boat);
+
     /** Gives a boat that was driven by hand back to the missions. */
     CompletionStage<Void> handBack(String boat);
 

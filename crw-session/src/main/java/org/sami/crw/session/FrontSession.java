@@ -68,6 +68,15 @@ public interface FrontSession {
     /** Presses an interrupt of a mission, or of every mission that offers it ({@code Ids.NONE}). */
     CompletionStage<Void> press(String interrupt, long mission, List<String> boats);
 
+    /** Answers a decision. The first answer counts; a later one is refused. */
+    CompletionStage<Void> answer(long decision, Answer answer, String by);
+
+    /** Judges drafts of answers and values. */
+    DraftJudge drafts();
+
+    /** What an operator wants of boats without a plan. */
+    GuidedBoats byHand();
+
     /**
      * Answers a decision, unless the judgement of the answer refuses it. The first answer counts; a later one is refused.
      *

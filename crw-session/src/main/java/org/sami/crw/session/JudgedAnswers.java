@@ -25,7 +25,7 @@ import org.sami.spn.value.Value;
  * Judges drafts of answers, and values before they are set, by the present state of engine and boats; computes on a thread of its own. From any
  * thread.
  */
-public final class JudgedAnswers {
+public final class JudgedAnswers implements DraftJudge {
     private final Fleet fleet;
     private final SessionEngine engine;
     private final Executor computing;
@@ -49,6 +49,7 @@ public final class JudgedAnswers {
     }
 
     /** Judges a draft of an answer: what of it cannot be, what boats are not to enter, and what it takes. */
+    @Override
     public CompletionStage<Judgement> judge(Decision decision, DraftAnswer draft) {
         return engine.ask(view -> QuestionReader.read(decision, view))
                 .thenCompose(read -> read.map(question -> judge(question, draft))
@@ -60,6 +61,7 @@ public final class JudgedAnswers {
      *
      * @param values by the names of parameters, as {@link Session#start} takes them
      */
+    @Override
     public CompletionStage<Judgement> judgeStart(String plan, Map<String, Value> values) {
         return engine.ask(view -> StartReader.plan(plan, values.keySet(), view))
                 .thenCompose(read -> read.map(question -> judge(question, DraftAnswer.of(values)))
@@ -67,6 +69,7 @@ public final class JudgedAnswers {
     }
 
     /** Judges a value that a global is to have: what of it cannot be, and where boats are not to enter. */
+    @Override
     public CompletionStage<Judgement> judgeGlobal(String name, Value value) {
         return engine.ask(view -> StartReader.global(name, view))
                 .thenCompose(question -> judge(question, DraftAnswer.of(Map.of(name, value))));

@@ -182,6 +182,7 @@ public final class Session implements FrontSession, AutoCloseable {
      *
      * @param by name of the operator, for the other operators to see
      */
+    @Override
     public CompletionStage<Void> answer(long decision, Answer answer, String by) {
         Input.AnswerDecision input = new Input.AnswerDecision(decision, answer, Answerer.OPERATOR);
         return engine.posted()
@@ -307,6 +308,7 @@ public final class Session implements FrontSession, AutoCloseable {
     }
 
     /** What an operator wants of boats without a plan. */
+    @Override
     public ByHand byHand() {
         return byHand;
     }
@@ -362,6 +364,7 @@ public final class Session implements FrontSession, AutoCloseable {
     }
 
     /** Judges drafts of answers and values before they are set, as things stand now. */
+    @Override
     public JudgedAnswers drafts() {
         return drafts;
     }

@@ -2,12 +2,17 @@ package org.sami.session.client;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.LinkException;
+import org.sami.boat.link.LinkMessage;
+import org.sami.boat.link.SettingsReport;
 import org.sami.crw.message.MessageEntry;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.operator.alarm.Alarm;
@@ -19,6 +24,7 @@ import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.operator.mission.StuckMission;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.status.StopLatch;
 import org.sami.crw.replay.BoatSample;
@@ -30,7 +36,7 @@ final class LinkRowReader {
     private LinkRowReader() {}
 
     /** A boat's; empty for one that has never answered. */
-    static Optional<BoatSample> boat(JsonNode row, long nowMillis) {
+    static Optional<BoatSample> boat(JsonNode row, long nowMillis, Optional<BoatTuning> settings) {
         if (row.path("link").asText().equals("unreached")) {
             return Optional.empty();
         }
@@ -58,7 +64,19 @@ final class LinkRowReader {
                 row.path("moving").asBoolean(),
                 row.path("why").asText(),
                 stop(row),
+                settings,
                 row.path("flies").asBoolean()));
+    }
+
+    /** The settings in force on a boat; empty where this program cannot read them. */
+    static Optional<BoatTuning> settings(JsonNode row) {
+        try {
+            LinkMessage report = LinkCodec.readBody(
+                    Base64.getDecoder().decode(row.path("report").asText()));
+            return report instanceof SettingsReport settings ? Optional.of(BoatTuning.of(settings)) : Optional.empty();
+        } catch (LinkException | IllegalArgumentException unreadable) {
+            return Optional.empty();
+        }
     }
 
     private static StopLatch stop(JsonNode row) {

@@ -99,14 +99,34 @@ final class RemoteFleet implements FrontFleet {
 
     @Override
     public CompletionStage<Void> teleoperate(String boat, double thrust, double rudder) {
-        CompletionStage<Void> mine = claimed.contains(boat)
-                ? CompletableFuture.completedFuture(null)
-                : session.ask(RemoteSession.message("claim").put("boat", boat)).thenAccept(done -> claimed.add(boat));
-        return mine.thenCompose(ready -> session.ask(RemoteSession.message("drive")
+        return claim(boat)
+                .thenCompose(ready -> session.ask(RemoteSession.message("drive")
                         .put("boat", boat)
                         .put("thrust", thrust)
                         .put("rudder", rudder)))
                 .thenAccept(done -> {});
+    }
+
+    @Override
+    public CompletionStage<List<Long>> clearBlock(String boat) {
+        return session.ask(told("clear", boat)).thenApply(done -> List.of());
+    }
+
+    @Override
+    public CompletionStage<Void> cancel(String boat, String commandId) {
+        return session.ask(told("cancel", boat).put("command", commandId)).thenAccept(done -> {});
+    }
+
+    @Override
+    public CompletionStage<Void> sendPathAgain(String boat) {
+        return tell("resend", boat);
+    }
+
+    /** Claims a boat for this person, unless that is done. */
+    CompletionStage<Void> claim(String boat) {
+        return claimed.contains(boat)
+                ? CompletableFuture.completedFuture(null)
+                : session.ask(RemoteSession.message("claim").put("boat", boat)).thenAccept(done -> claimed.add(boat));
     }
 
     @Override

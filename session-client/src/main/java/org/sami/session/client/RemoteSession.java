@@ -27,8 +27,10 @@ import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.operator.FollowFeed;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.replay.FollowedSession;
+import org.sami.crw.session.DraftJudge;
 import org.sami.crw.session.FrontFleet;
 import org.sami.crw.session.FrontSession;
+import org.sami.crw.session.GuidedBoats;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
 import org.sami.spn.engine.EngineView;
@@ -56,6 +58,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
 
     private final SessionAddress address;
+    private final Login login;
     private final Executor front;
     private final RemoteListener listener;
     private final Supplier<LocalTime> wallClock;
@@ -66,7 +69,6 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
     private final CompletableFuture<SessionCopy> shown = new CompletableFuture<>(); // with the rows of its boats
     private final SessionLink link;
     private final AtomicBoolean closed = new AtomicBoolean();
-    private String person = "";
     private Optional<LocalTime> seen = Optional.empty();
     private boolean away;
 
@@ -78,6 +80,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
             RemoteListener listener,
             Supplier<LocalTime> wallClock) {
         this.address = address;
+        this.login = login;
         this.front = front;
         this.listener = listener;
         this.wallClock = wallClock;
@@ -127,12 +130,16 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         return address;
     }
 
+    /** Who takes part here. */
+    public String person() {
+        return login.name();
+    }
+
     // ---- what comes from the server; on the link's thread
 
     private final class Following implements LinkListener {
         @Override
         public void welcomed(JsonNode message) {
-            person = message.path("name").asText();
             ObjectNode follow = message("follow");
             copy().filter(known -> !known.id().isEmpty())
                     .ifPresent(known -> follow.put("session", known.id()).put("after", known.reached()));
@@ -190,7 +197,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
                     shown.complete(known);
                 });
             case "news" -> {
-                if (!message.path("by").asText().equals(person)) {
+                if (!message.path("by").asText().equals(person())) {
                     listener.news(message.path("text").asText());
                 }
             }
@@ -369,6 +376,21 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
     public CompletionStage<List<String>> answerJudged(Decision decision, Answer answer, String by) {
         return reply(new Input.AnswerDecision(decision.id(), answer, Answerer.OPERATOR))
                 .thenApply(done -> LinkRowReader.texts(done.path("warnings")));
+    }
+
+    @Override
+    public CompletionStage<Void> answer(long decision, Answer answer, String by) {
+        return post(new Input.AnswerDecision(decision, answer, Answerer.OPERATOR));
+    }
+
+    @Override
+    public DraftJudge drafts() {
+        return new RemoteDrafts(this);
+    }
+
+    @Override
+    public GuidedBoats byHand() {
+        return new RemoteByHand(this, fleet);
     }
 
     @Override

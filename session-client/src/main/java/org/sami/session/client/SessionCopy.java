@@ -5,13 +5,16 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import org.sami.crw.operator.FollowFeed;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.replay.BoatSample;
 import org.sami.crw.replay.FollowJson;
 import org.sami.crw.replay.FollowedSession;
@@ -31,6 +34,7 @@ final class SessionCopy {
     private final FollowedSession followed;
     private final LinkTables tables = new LinkTables();
     private final Set<String> boats = new HashSet<>();
+    private final Map<String, BoatTuning> settings = new HashMap<>(); // by boat
     private String id = "";
     private long reached; // number of the last item of the server's feed
     private volatile long clockMillis; // of the session, at the next
@@ -122,6 +126,12 @@ final class SessionCopy {
         clock(now);
         Set<String> changed = tables.take(message);
         FollowFeed feed = followed.feed();
+        if (changed.contains("settings")) {
+            settings.clear();
+            tables.rows("settings")
+                    .forEach(row -> LinkRowReader.settings(row)
+                            .ifPresent(known -> settings.put(row.path("id").asText(), known)));
+        }
         if (changed.contains("boats")) {
             boats(message, now);
         }
@@ -152,7 +162,8 @@ final class SessionCopy {
 
     private void boats(JsonNode message, long now) {
         for (JsonNode row : message.path("set").path("boats")) {
-            Optional<BoatSample> sample = LinkRowReader.boat(row, now);
+            Optional<BoatSample> sample = LinkRowReader.boat(
+                    row, now, Optional.ofNullable(settings.get(row.path("id").asText())));
             sample.ifPresent(one -> {
                 boats.add(one.boat());
                 followed.take(one);

@@ -27,7 +27,7 @@ import org.sami.crw.session.RefusedException;
 final class SessionLink {
     private static final int VERSION = 1;
     private static final long FIRST_DELAY_MS = 1000;
-    private static final long LONGEST_DELAY_MS = 30_000;
+    private static final long LONGEST_DELAY_MS = 8000;
     private static final long LOOK_MS = 1000;
     private static final long SILENT_NANOS = TimeUnit.SECONDS.toNanos(30);
 

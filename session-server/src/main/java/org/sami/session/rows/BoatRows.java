@@ -1,12 +1,15 @@
 package org.sami.session.rows;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Base64;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.sami.boat.link.LinkCodec;
+import org.sami.boat.link.SettingsReport;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.UnreachedBoat;
@@ -84,6 +87,28 @@ final class BoatRows {
             row.put("stop", word(boat.stop().where()));
             Table.Builder.put(row, "stoppedBy", boat.stop().by());
         }
+    }
+
+    /** The settings in force on boats, as the message of the boats' link that reports them, in Base64. */
+    static Table settings(List<BoatSnapshot> boats) {
+        Table.Builder table = new Table.Builder("settings", MOST_BOATS);
+        for (BoatSnapshot boat : boats) {
+            boat.settings().ifPresent(settings -> {
+                SettingsReport report = new SettingsReport(
+                                settings.heading(),
+                                settings.speed(),
+                                settings.velocityMultiplier(),
+                                settings.lostLinkAction(),
+                                Optional.empty(),
+                                Optional.empty(),
+                                "",
+                                settings.board())
+                        .with(settings.performance())
+                        .with(settings.capabilities());
+                table.row(boat.boat()).put("report", Base64.getEncoder().encodeToString(LinkCodec.body(report)));
+            });
+        }
+        return table.build();
     }
 
     /** The ways that boats go now, or are expected to go home. */

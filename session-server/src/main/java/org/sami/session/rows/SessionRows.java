@@ -47,6 +47,10 @@ public final class SessionRows {
             put(BoatRows.paths(map));
         }
         remake(
+                "settings",
+                List.of(boats.stream().map(BoatSnapshot::settings).toList()),
+                () -> BoatRows.settings(boats));
+        remake(
                 "missions",
                 List.of(models.missions().snapshot()),
                 () -> SituationRows.missions(models.missions().snapshot()));

@@ -75,7 +75,6 @@ final class SituationRows {
             row.put("at", entry.message().atMillis());
             row.put("priority", BoatRows.word(entry.message().priority()));
             row.put("text", Table.Builder.cut(entry.message().text()));
-            Table.Builder.put(row, "keyword", entry.message().keyword());
             Table.Builder.ids(row, "boats", entry.message().boats());
             mission(row, "mission", entry.message().mission());
             row.put("acknowledged", entry.acknowledged());

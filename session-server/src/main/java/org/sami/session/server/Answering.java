@@ -61,6 +61,16 @@ final class Answering {
                 });
     }
 
+    /** Judges an answer that may be half entered; nothing is to be said of one to a decision that waits no longer. */
+    CompletionStage<Judgement> judge(long id, Answer draft) {
+        return session.models()
+                .decisions()
+                .find(id)
+                .map(PendingDecision::decision)
+                .map(decision -> session.drafts().judge(decision, DraftAnswer.of(draft, decision.question())))
+                .orElseGet(() -> CompletableFuture.completedFuture(Judgement.NOTHING));
+    }
+
     private CompletionStage<CommandReply> given(
             Person person, PendingDecision pending, Answer answer, Judgement judged) {
         long id = pending.decision().id();

@@ -1,37 +1,66 @@
 package org.sami.session.server;
 
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
-import java.util.OptionalLong;
+import org.sami.crw.judgement.Judgement;
+import org.sami.crw.session.WayByHand;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * What came of a command.
  *
  * @param text one sentence; may be empty
- * @param warnings doubts about an answer
- * @param mission a mission that it started; empty for none
- * @param boats the boats that it reached, where it says so
+ * @param more further members of the message {@code done}; not to be changed
  */
-record CommandReply(String text, List<String> warnings, OptionalLong mission, List<String> boats) {
+record CommandReply(String text, ObjectNode more) {
     static final CommandReply DONE = of("");
 
-    CommandReply {
-        warnings = List.copyOf(warnings);
-        boats = List.copyOf(boats);
-    }
-
     static CommandReply of(String text) {
-        return of(text, List.of());
+        return new CommandReply(text, JsonNodeFactory.instance.objectNode());
     }
 
+    /** With doubts about an answer. */
     static CommandReply of(String text, List<String> warnings) {
-        return new CommandReply(text, warnings, OptionalLong.empty(), List.of());
+        CommandReply reply = of(text);
+        reply.texts("warnings", warnings);
+        return reply;
     }
 
     static CommandReply ofMission(String text, long mission) {
-        return new CommandReply(text, List.of(), OptionalLong.of(mission), List.of());
+        CommandReply reply = of(text);
+        reply.more.put("mission", mission);
+        return reply;
     }
 
+    /** With the boats that it reached. */
     static CommandReply ofBoats(List<String> boats) {
-        return new CommandReply("", List.of(), OptionalLong.empty(), boats);
+        CommandReply reply = of("");
+        reply.texts("boats", boats);
+        return reply;
+    }
+
+    static CommandReply of(WayByHand way) {
+        CommandReply reply = of("", way.doubts());
+        for (GeoPoint point : way.points()) {
+            reply.more.withArray("/points").addArray().add(point.latDeg()).add(point.lonDeg());
+        }
+        return reply;
+    }
+
+    static CommandReply of(Judgement judged) {
+        CommandReply reply = of("");
+        for (Judgement.Remark remark : judged.remarks()) {
+            reply.more
+                    .withArray("/remarks")
+                    .addObject()
+                    .put("kind", remark.kind().name())
+                    .put("words", remark.words());
+        }
+        return reply;
+    }
+
+    private void texts(String member, List<String> texts) {
+        texts.forEach(more.withArray("/" + member)::add);
     }
 }

@@ -53,7 +53,7 @@ final class FleetCommands {
                 String boat = message.text("boat");
                 return news.noted(person, "released " + boat, fleet.release(boat));
             }
-            case "take", "ask", "watch", "give" -> {
+            case "take", "ask", "watch", "give", "clear", "cancel", "resend" -> {
                 Rights.require(person, Right.DRIVE);
                 return command(person, what, message.text("boat"), message);
             }
@@ -63,7 +63,7 @@ final class FleetCommands {
             }
             default ->
                 throw new MalformedMessageException(
-                        "'do' is stop, release, take, ask, watch, give, connect, disconnect or add");
+                        "'do' is stop, release, take, ask, watch, give, clear, cancel, resend, connect, disconnect or add");
         }
     }
 
@@ -72,6 +72,12 @@ final class FleetCommands {
         return switch (what) {
             case "take" -> news.noted(person, "took the command of " + boat, fleet.takeCommand(boat));
             case "ask" -> news.noted(person, "asked for the command of " + boat, fleet.askForCommand(boat));
+            case "clear" -> news.noted(person, "cleared the block of " + boat, fleet.clearBlock(boat));
+            case "resend" -> news.noted(person, "sent the path of " + boat + " again", fleet.sendPathAgain(boat));
+            case "cancel" -> {
+                String command = message.text("command");
+                yield news.noted(person, "cancelled " + command + " of " + boat, fleet.cancel(boat, command));
+            }
             case "watch" -> news.noted(person, "only watches " + boat, fleet.handOver(boat));
             default -> {
                 String client = message.text("client");

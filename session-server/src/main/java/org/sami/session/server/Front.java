@@ -97,13 +97,7 @@ public final class Front implements Session.Listener.AutoDemanding {
                 .put("t", "done")
                 .put("id", id)
                 .put("text", reply.text());
-        reply.mission().ifPresent(mission -> message.put("mission", mission));
-        if (!reply.boats().isEmpty()) {
-            reply.boats().forEach(message.putArray("boats")::add);
-        }
-        if (!reply.warnings().isEmpty()) {
-            reply.warnings().forEach(message.putArray("warnings")::add);
-        }
+        message.setAll(reply.more());
         send(message.toString());
     }
 

@@ -62,6 +62,7 @@ final class FrontCommands {
             case "stopFleet" -> fleet.stopAll(person);
             case "releaseFleet" -> fleet.releaseAll(person);
             case "boat" -> fleet.carryOut(person, message);
+            case "draft" -> inputs.judge(message);
             case "input" -> inputs.carryOut(person, message);
             case "again" -> {
                 Rights.require(person, Right.START);

@@ -55,8 +55,9 @@ record FrontMessage(String type, long id, JsonNode body) {
             Map.entry("acknowledge", Set.of("message", "alarm")),
             Map.entry("follow", Set.of("session", "after")),
             Map.entry("input", Set.of("input")),
+            Map.entry("draft", Set.of("input")),
             Map.entry("again", Set.of("mission")),
-            Map.entry("boat", Set.of("do", "boat", "client", "address", "lat", "lon", "count")),
+            Map.entry("boat", Set.of("do", "boat", "client", "command", "address", "lat", "lon", "count")),
             Map.entry("note", Set.of("text", "lat", "lon")),
             Map.entry("ping", Set.of()));
 

@@ -49,7 +49,7 @@ final class HandDriving {
             }
             case "goTo" -> {
                 handBack(boat);
-                yield done(session.byHand().goTo(boat, message.point()));
+                yield session.byHand().goTo(boat, message.point()).thenApply(CommandReply::of);
             }
             case "holdBoat" -> {
                 handBack(boat);

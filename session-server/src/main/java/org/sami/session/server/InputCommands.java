@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import org.sami.crw.judgement.Judgement;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
 import org.sami.session.person.Person;
@@ -36,12 +37,7 @@ final class InputCommands {
      * @throws MalformedMessageException if it is no input
      */
     CompletionStage<CommandReply> carryOut(Person person, FrontMessage message) throws MalformedMessageException {
-        Input input;
-        try {
-            input = ProtocolJson.readInput(message.body().path("input"));
-        } catch (UnreadableJsonException | IllegalArgumentException unreadable) {
-            throw new MalformedMessageException("'input' is no input: " + unreadable.getMessage());
-        }
+        Input input = input(message);
         if (input instanceof Input.AnswerDecision answer) {
             Rights.require(person, Right.ANSWER);
             return answering.answer(person, answer.decision(), decision -> answer.answer(), true);
@@ -62,6 +58,35 @@ final class InputCommands {
         }
         Rights.require(person, Right.START);
         return ofMissions(person, input);
+    }
+
+    /**
+     * Judges what an input would do, which is not carried out; an answer may be half entered.
+     *
+     * @throws RefusedException in words, if there is nothing to judge
+     * @throws MalformedMessageException if it is no input
+     */
+    CompletionStage<CommandReply> judge(FrontMessage message) throws MalformedMessageException {
+        Input input = input(message);
+        CompletionStage<Judgement> judged;
+        if (input instanceof Input.AnswerDecision answer) {
+            judged = answering.judge(answer.decision(), answer.answer());
+        } else if (input instanceof Input.StartMission start) {
+            judged = session.drafts().judgeStart(start.plan(), start.parameters());
+        } else if (input instanceof Input.SetVariable set) {
+            judged = session.drafts().judgeGlobal(set.variable(), set.value());
+        } else {
+            throw new RefusedException("there is nothing to judge about that");
+        }
+        return judged.thenApply(CommandReply::of);
+    }
+
+    private static Input input(FrontMessage message) throws MalformedMessageException {
+        try {
+            return ProtocolJson.readInput(message.body().path("input"));
+        } catch (UnreadableJsonException | IllegalArgumentException unreadable) {
+            throw new MalformedMessageException("'input' is no input: " + unreadable.getMessage());
+        }
     }
 
     private static String in(long mission) {

@@ -7,7 +7,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.session.Fleet;
+import org.sami.crw.session.FrontFleet;
 import org.sami.ui.command.Command;
 
 /** What a person does with the selected boats: commands over the session's fleet. */
@@ -19,26 +19,32 @@ final class BoatControl {
     BoatControl(OperatorContext context) {
         this.context = context;
         teleoperation = new Teleoperation(context);
-        add("boat-stop", "Stop", "ctrl shift S", "stop", Fleet::stop, "is stopped until it is released");
-        add("boat-release", "Release", "ctrl shift R", "release", Fleet::release, "goes on");
+        add("boat-stop", "Stop", "ctrl shift S", "stop", FrontFleet::stop, "is stopped until it is released");
+        add("boat-release", "Release", "ctrl shift R", "release", FrontFleet::release, "goes on");
         commands.add(teleoperation.command());
-        add("boat-take", "Take command", "ctrl T", "plus", Fleet::takeCommand, "is asked to obey this base");
+        add("boat-take", "Take command", "ctrl T", "plus", FrontFleet::takeCommand, "is asked to obey this base");
         add(
                 "boat-hand-over",
                 "Only watch",
                 "ctrl shift W",
                 "connect",
-                Fleet::handOver,
+                FrontFleet::handOver,
                 "is watched; another base may command it");
-        add("boat-resend", "Send path again", "ctrl shift U", "resend", BoatControl::resend, "gets its path again");
+        add(
+                "boat-resend",
+                "Send path again",
+                "ctrl shift U",
+                "resend",
+                FrontFleet::sendPathAgain,
+                "gets its path again");
         add(
                 "boat-clear-block",
                 "Clear the block",
                 "ctrl shift K",
                 "clear",
-                Fleet::clearBlock,
+                FrontFleet::clearBlock,
                 "is free for other missions");
-        add("boat-disconnect", "Disconnect", "ctrl shift X", "link-lost", Fleet::disconnect, "is disconnected");
+        add("boat-disconnect", "Disconnect", "ctrl shift X", "link-lost", FrontFleet::disconnect, "is disconnected");
         context.boats().addListener(() -> commands.forEach(Command::refresh));
     }
 
@@ -50,19 +56,12 @@ final class BoatControl {
         return List.copyOf(commands);
     }
 
-    private static CompletionStage<Void> resend(Fleet fleet, String boat) {
-        return fleet.ask(boats -> {
-            boats.find(boat).ifPresent(proxy -> proxy.commands().sendPathAgain());
-            return null;
-        });
-    }
-
     private <T> void add(
             String id,
             String title,
             String key,
             String icon,
-            BiFunction<Fleet, String, CompletionStage<T>> action,
+            BiFunction<FrontFleet, String, CompletionStage<T>> action,
             String done) {
         Command command = new Command(
                         id,

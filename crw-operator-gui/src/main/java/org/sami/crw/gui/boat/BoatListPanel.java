@@ -45,8 +45,10 @@ public final class BoatListPanel extends JPanel {
         table = new RowTable<>(
                 "boats-table",
                 context.say(
-                        "No boat is known. Connect one (Ctrl+B), or start the plan that connects boats; each appears"
-                                + " here with what it does."),
+                        context.whyNotHere().isEmpty()
+                                ? "No boat is known. Connect one (Ctrl+B), or start the plan that connects boats; each"
+                                        + " appears here with what it does."
+                                : "No boat is known. Each that the session connects appears here with what it does."),
                 Shown::name,
                 columns(context));
         table.showOneLine();

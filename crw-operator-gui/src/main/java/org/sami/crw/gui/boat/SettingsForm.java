@@ -46,7 +46,7 @@ final class SettingsForm extends JPanel {
                     .add(new Command("boat-set-" + id, "Set " + title.toLowerCase(Locale.ROOT), () -> set(setting))
                             .withIcon("check")
                             .unless(() -> boat.isPresent()
-                                    ? Optional.empty()
+                                    ? context.whyNotHere()
                                     : Optional.of(context.say("select a boat first"))));
             now.setName("boat-" + id + "-now");
             CommandButton button = new CommandButton(command);
@@ -60,7 +60,7 @@ final class SettingsForm extends JPanel {
         private void set(Setting setting) {
             String whom = boat.orElseThrow();
             try {
-                CompletionStage<Void> asked = setting.ask(context.session().fleet(), whom);
+                CompletionStage<Void> asked = setting.ask(context.here().fleet(), whom);
                 say("asked…", false);
                 asked.whenComplete((taken, fault) -> {
                     say(fault == null ? "✓ taken" : "▲ " + RefusedException.reason(fault), fault != null);

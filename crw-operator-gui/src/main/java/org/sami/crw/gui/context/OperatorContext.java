@@ -8,6 +8,7 @@ import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.MissionTitles;
+import org.sami.crw.session.FrontSession;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
 import org.sami.palette.ProxyMarks;
@@ -29,6 +30,7 @@ public record OperatorContext(
     public static final String OPERATOR = "operator";
 
     private static final String REPLAY = "this is a replay";
+    private static final String ELSEWHERE = "the session runs in another process: this is done there";
 
     public OperatorContext {
         Objects.requireNonNull(shown, "shown");
@@ -40,7 +42,7 @@ public record OperatorContext(
 
     /** The context of a window over a session that runs. */
     public OperatorContext(
-            Session session, CommandRegistry commands, ProxyMarks marks, BoatSelection boats, Notices notices) {
+            FrontSession session, CommandRegistry commands, ProxyMarks marks, BoatSelection boats, Notices notices) {
         this(new RunningSession(session), commands, marks, boats, notices);
     }
 
@@ -49,8 +51,25 @@ public record OperatorContext(
      *
      * @throws IllegalStateException in a replay, where nothing that acts can be run ({@link #whyNotAct})
      */
-    public Session session() {
+    public FrontSession session() {
         return shown.session().orElseThrow(() -> new IllegalStateException(REPLAY));
+    }
+
+    /**
+     * The session itself, for what only its own machine has: files, keys, boats' settings.
+     *
+     * @throws IllegalStateException where it runs elsewhere ({@link #whyNotHere})
+     */
+    public Session here() {
+        return session().inProcess().orElseThrow(() -> new IllegalStateException(ELSEWHERE));
+    }
+
+    /** Why what only the session's own machine has cannot be used; empty where it can. */
+    public Optional<String> whyNotHere() {
+        return whyNotAct()
+                .or(() -> shown.session().flatMap(FrontSession::inProcess).isPresent()
+                        ? Optional.empty()
+                        : Optional.of(ELSEWHERE));
     }
 
     /** Why nothing can act on boats or missions; empty where it can. */

@@ -8,7 +8,7 @@ import java.util.function.Function;
 import java.util.function.LongConsumer;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.operator.OperatorModels;
-import org.sami.crw.session.Session;
+import org.sami.crw.session.FrontSession;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Project;
@@ -18,7 +18,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** A session that runs, as a window shows it. */
-public record RunningSession(Session running) implements ShownSession {
+public record RunningSession(FrontSession running) implements ShownSession {
     public RunningSession {
         Objects.requireNonNull(running, "session");
     }
@@ -30,17 +30,17 @@ public record RunningSession(Session running) implements ShownSession {
 
     @Override
     public Vocabulary vocabulary() {
-        return running.setup().vocabulary();
+        return running.vocabulary();
     }
 
     @Override
     public Project project() {
-        return running.setup().project();
+        return running.firstProject();
     }
 
     @Override
     public long nowMillis() {
-        return running.scheduler().nowMs();
+        return running.nowMillis();
     }
 
     @Override
@@ -69,7 +69,7 @@ public record RunningSession(Session running) implements ShownSession {
     }
 
     @Override
-    public Optional<Session> session() {
+    public Optional<FrontSession> session() {
         return Optional.of(running);
     }
 }

@@ -7,7 +7,7 @@ import java.util.function.Function;
 import java.util.function.LongConsumer;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.operator.OperatorModels;
-import org.sami.crw.session.Session;
+import org.sami.crw.session.FrontSession;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Project;
@@ -51,6 +51,6 @@ public interface ShownSession {
     /** Goes to a moment, where what is shown is a replay; empty where it is a session, whose moment is now. */
     Optional<LongConsumer> moments();
 
-    /** The session, if it runs. */
-    Optional<Session> session();
+    /** The session, if it runs, here or in another process. */
+    Optional<FrontSession> session();
 }

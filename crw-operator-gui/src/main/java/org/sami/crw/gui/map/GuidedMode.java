@@ -11,7 +11,7 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.explanation.ExplainedCommand;
-import org.sami.crw.session.ByHand;
+import org.sami.crw.session.GuidedBoats;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.WayByHand;
 import org.sami.spn.protocol.Ids;
@@ -31,7 +31,7 @@ final class GuidedMode {
         this.context = context;
     }
 
-    private ByHand byHand() {
+    private GuidedBoats byHand() {
         return context.session().byHand();
     }
 

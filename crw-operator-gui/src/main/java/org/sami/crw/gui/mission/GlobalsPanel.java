@@ -274,7 +274,7 @@ final class GlobalsPanel extends JPanel {
 
     private Optional<String> whyNotSave() {
         return state.map(GlobalsState::differing).orElse(0L) > 0
-                ? Optional.empty()
+                ? context.whyNotHere()
                 : Optional.of("all globals are as the project has them");
     }
 
@@ -294,8 +294,8 @@ final class GlobalsPanel extends JPanel {
         Map<String, Value> values = state.map(GlobalsState::values).orElse(Map.of());
         boolean isNew = file.path().isEmpty() && !Files.exists(to);
         CompletionStage<String> written = isNew
-                ? context.session().project().save(to).thenApply(done -> "The project is in " + to + " now")
-                : context.session()
+                ? context.here().project().save(to).thenApply(done -> "The project is in " + to + " now")
+                : context.here()
                         .project()
                         .saveGlobals(to)
                         .thenApply(what -> what.changes().size() + " globals are saved to "

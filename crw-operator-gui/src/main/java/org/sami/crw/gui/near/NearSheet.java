@@ -37,7 +37,7 @@ public final class NearSheet {
         close();
         pairing = false;
         NearBoats looking =
-                new NearBoats(context.session(), finders.get(), BaseProtection.ofThisProcess(), EventThread.executor());
+                new NearBoats(context.here(), finders.get(), BaseProtection.ofThisProcess(), EventThread.executor());
         boats = Optional.of(looking);
         show(looking);
     }

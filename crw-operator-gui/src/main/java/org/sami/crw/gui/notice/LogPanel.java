@@ -12,6 +12,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.OperatorLogEntry;
+import org.sami.crw.session.RefusedException;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.look.WidthTrackingPanel;
 import org.sami.ui.replay.SessionClock;
@@ -76,7 +77,10 @@ public final class LogPanel extends JPanel {
     private void write() {
         String text = note.getText().strip();
         if (!text.isEmpty()) {
-            context.session().note(text, Optional.empty());
+            context.session().addNote(text, Optional.empty()).exceptionally(fault -> {
+                context.notices().refused(RefusedException.reason(fault));
+                return null;
+            });
             note.setText("");
         }
     }

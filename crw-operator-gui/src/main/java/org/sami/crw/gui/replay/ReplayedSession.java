@@ -12,7 +12,7 @@ import org.sami.crw.gui.context.ShownSession;
 import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.replay.Replay;
-import org.sami.crw.session.Session;
+import org.sami.crw.session.FrontSession;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Project;
@@ -83,7 +83,7 @@ record ReplayedSession(Replay replay, Executor worker, Executor computing, LongC
     }
 
     @Override
-    public Optional<Session> session() {
+    public Optional<FrontSession> session() {
         return Optional.empty();
     }
 }

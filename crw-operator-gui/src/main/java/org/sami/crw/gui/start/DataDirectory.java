@@ -51,10 +51,23 @@ public final class DataDirectory implements AutoCloseable {
      * @throws IOException if it cannot be made, or there are too many
      */
     public static DataDirectory openForReplay(Path folder) throws IOException {
-        IOException taken = new IOException("there are too many replays");
+        return openOneOf(folder, "replay", "there are too many replays");
+    }
+
+    /**
+     * As {@link #openForReplay}, for a window over a session in another process.
+     *
+     * @throws IOException as there
+     */
+    public static DataDirectory openForSessionElsewhere(Path folder) throws IOException {
+        return openOneOf(folder, "elsewhere", "there are too many windows over sessions elsewhere");
+    }
+
+    private static DataDirectory openOneOf(Path folder, String name, String tooMany) throws IOException {
+        IOException taken = new IOException(tooMany);
         for (int i = 1; i <= MOST_REPLAYS; i++) {
             try {
-                return open(folder.resolve(i == 1 ? "replay" : "replay-" + i));
+                return open(folder.resolve(i == 1 ? name : name + "-" + i));
             } catch (IOException held) {
                 taken = held;
             }

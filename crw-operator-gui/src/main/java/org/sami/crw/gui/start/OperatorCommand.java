@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.ConditionsConverter;
@@ -13,6 +14,7 @@ import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.NetworkOption;
 import org.sami.crw.cli.option.VesselsFile;
 import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.cli.run.RemoteOptions;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
@@ -45,6 +47,8 @@ import picocli.CommandLine.Spec;
                     + " boat)",
             "  crw-operator --near          boats on the local network are listed, and connected with one press",
             "  crw-operator --boats boats.txt --data /media/laptop/today --theme sun",
+            "  crw-operator --session wss://10.0.0.5:8443 --person anna --key-file anna.key   a session that 'crw serve' runs"
+                    + " elsewhere",
             "  crw-operator --replay today.journal --at 90"
         })
 public final class OperatorCommand implements Callable<Integer> {
@@ -121,6 +125,9 @@ public final class OperatorCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private LookOptions look;
 
+    @Mixin
+    private RemoteOptions remote = new RemoteOptions();
+
     @Option(
             names = "--resume",
             negatable = true,
@@ -165,13 +172,15 @@ public final class OperatorCommand implements Callable<Integer> {
     private void open() throws IOException {
         StartOptions options = options();
         try {
+            remote.check(spec.commandLine(), Set.of("--data", "--theme", "--scale"));
             links.use();
         } catch (UsageFault unfit) {
             throw new IllegalArgumentException(unfit.getMessage(), unfit);
         }
         Path folder = data == null ? DataDirectory.ofUser() : data;
-        DataDirectory opened =
-                options.replay().isPresent() ? DataDirectory.openForReplay(folder) : DataDirectory.open(folder);
+        DataDirectory opened = remote.isGiven()
+                ? DataDirectory.openForSessionElsewhere(folder)
+                : options.replay().isPresent() ? DataDirectory.openForReplay(folder) : DataDirectory.open(folder);
         opening.open(options, opened);
     }
 
@@ -194,7 +203,8 @@ public final class OperatorCommand implements Callable<Integer> {
                 Optional.ofNullable(conditions),
                 new StartOptions.Near(near, network.address()),
                 domain.equals(StartOptions.BOATS) ? domain : shipped(),
-                vessels());
+                vessels(),
+                Optional.of(remote).filter(RemoteOptions::isGiven));
     }
 
     private ForeignVessels vessels() {

@@ -4,6 +4,7 @@ import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.sami.crw.cli.run.RemoteOptions;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.crw.sim.vessel.ForeignVessels;
@@ -23,6 +24,7 @@ import org.sami.palette.Theme;
  * @param near how boats are found on the network
  * @param domain whose plans are run, by the name of its folder
  * @param vessels on the water of simulated boats
+ * @param remote the session in another process that is to be shown, instead of one here
  */
 public record StartOptions(
         List<BoatAddress> boats,
@@ -35,7 +37,8 @@ public record StartOptions(
         Optional<NamedConditions> conditions,
         Near near,
         String domain,
-        ForeignVessels vessels) {
+        ForeignVessels vessels,
+        Optional<RemoteOptions> remote) {
     /** The domain of the boats. */
     public static final String BOATS = "crw";
 
@@ -50,7 +53,7 @@ public record StartOptions(
         public static final Near WHEN_ASKED = new Near(false, Optional.empty());
     }
 
-    /** On water without foreign vessels. */
+    /** A session of this process on water without foreign vessels, or a replay. */
     public StartOptions(
             List<BoatAddress> boats,
             Optional<Path> project,
@@ -62,7 +65,8 @@ public record StartOptions(
             Optional<NamedConditions> conditions,
             Near near,
             String domain) {
-        this(boats, project, theme, scale, resume, replay, atMillis, conditions, near, domain, ForeignVessels.NONE);
+        this(boats, project, theme, scale, resume, replay, atMillis, conditions, near, domain, ForeignVessels.NONE,
+                Optional.empty());
     }
 
     /** A session, without a replay. */

@@ -27,7 +27,7 @@ public final class FaultCommands {
     }
 
     private Session session() {
-        return context.session();
+        return context.here();
     }
 
     private void toggle() {

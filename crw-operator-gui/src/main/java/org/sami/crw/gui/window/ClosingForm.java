@@ -99,7 +99,7 @@ final class ClosingForm extends JPanel {
         Set<String> unknown = new TreeSet<>();
         context.models().fleet().snapshot().forEach(boat -> {
             unknown.add(boat.boat());
-            context.session()
+            context.here()
                     .fleet()
                     .settings(boat.boat())
                     .thenAccept(tuning -> tuning.ifPresent(said -> {

@@ -150,7 +150,7 @@ final class WindowCommands {
 
     private void load(Path file) {
         context.tell(
-                context.session().project().load(file).thenAccept(version -> projectLoaded.accept(file)),
+                context.here().project().load(file).thenAccept(version -> projectLoaded.accept(file)),
                 file.getFileName() + " is loaded; missions that start now have its plans");
     }
 }

@@ -1,0 +1,75 @@
+package org.sami.crw.gui.remote;
+
+import java.util.Optional;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.sami.palette.SemanticColor;
+import org.sami.session.client.RemoteListener;
+import org.sami.ui.EventThread;
+import org.sami.ui.look.LookColors;
+import org.sami.ui.window.Notices;
+
+/**
+ * Says whose session a window shows, and whether the connection to it stands: in the colour of warnings while what the window shows is as it was seen last. What other people
+ * do becomes a notice. On the event thread, but what it listens to.
+ */
+public final class ConnectionBand extends JPanel implements RemoteListener {
+    private final JLabel words = new JLabel();
+    private String whose = "";
+    private Optional<String> trouble = Optional.empty();
+    private Optional<Notices> notices = Optional.empty();
+
+    /** A band that says nothing yet. */
+    public ConnectionBand() {
+        super(new MigLayout("insets 4 12 4 12, gap 0, fillx", "[grow]", "[]"));
+        setName("connection-band");
+        words.setName("connection");
+        add(words, "wmin 0, growx");
+        showNow();
+    }
+
+    /** Says from now on whose session it is. */
+    void of(String address, String person, Notices of) {
+        whose = "Session at " + address + ", as " + person;
+        notices = Optional.of(of);
+        showNow();
+    }
+
+    private void showNow() {
+        LookColors.background(this, trouble.isPresent() ? SemanticColor.WARNING_FILL : SemanticColor.SURFACE_RAISED);
+        LookColors.foreground(words, trouble.isPresent() ? SemanticColor.ON_WARNING : SemanticColor.MUTED);
+        words.setText(whose + trouble.map(text -> ": ▲ " + text).orElse(""));
+        words.setToolTipText(words.getText());
+        getAccessibleContext().setAccessibleName(words.getText());
+        repaint();
+    }
+
+    private void set(Optional<String> now) {
+        EventThread.later(() -> {
+            trouble = now;
+            showNow();
+        });
+    }
+
+    @Override
+    public void lost(String text) {
+        set(Optional.of(text));
+    }
+
+    @Override
+    public void back() {
+        set(Optional.empty());
+        news("Connected again: what is shown is of now");
+    }
+
+    @Override
+    public void ended(String why) {
+        set(Optional.of(why + "; nothing here is of now, close the window"));
+    }
+
+    @Override
+    public void news(String text) {
+        EventThread.later(() -> notices.ifPresent(one -> one.show(text)));
+    }
+}

@@ -1,0 +1,140 @@
+package org.sami.crw.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.GraphicsEnvironment;
+import java.nio.file.Path;
+import java.time.LocalTime;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javax.swing.AbstractButton;
+import javax.swing.JLabel;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.gui.remote.ConnectionBand;
+import org.sami.crw.gui.remote.RemoteWindow;
+import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionSetup;
+import org.sami.crw.session.archive.SessionJournal;
+import org.sami.palette.Theme;
+import org.sami.session.client.KnownServers;
+import org.sami.session.client.Login;
+import org.sami.session.client.RemoteSession;
+import org.sami.session.client.ServerTrust;
+import org.sami.session.client.SessionAddress;
+import org.sami.session.person.PeopleFile;
+import org.sami.session.person.Person;
+import org.sami.session.person.PersonKey;
+import org.sami.session.person.PersonRole;
+import org.sami.session.server.ServerAddress;
+import org.sami.session.server.SessionServer;
+import org.sami.spn.journal.JournalHeader;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.ProjectReader;
+import org.sami.spn.model.Project;
+import org.sami.ui.EventThread;
+import org.sami.ui.check.WindowRobot;
+import org.sami.ui.look.Look;
+import org.sami.ui.window.WindowSettings;
+
+/** The operator's window over a session behind a real server: a question answered by pressing, the fleet stopped, the server gone. */
+@Tag("window")
+class RemoteWindowTest {
+    private static final String PROJECT = """
+            {"formatVersion": 1, "id": "talk", "name": "Talk", "domain": "crw",
+             "missionTree": [{"label": "All", "children": [{"plan": "talk"}]}],
+             "plans": [{"id": "talk", "name": "Talk", "places": [
+               {"id": "ask", "name": "Ask", "start": true, "outputs": [
+                 {"id": "q", "type": "OperatorApprove", "fields": {"question": {"value": "Is the water calm?"}}}]},
+               {"id": "end", "name": "End", "end": true, "outputs": [
+                 {"id": "n", "type": "DisplayMessage", "fields": {"message": {"value": "after the answer"}}}]}],
+              "transitions": [{"id": "yes", "inputs": [{"id": "i", "type": "YesOption"}]}],
+              "inEdges": [{"id": "a", "place": "ask", "transition": "yes",
+                "requirements": [{"match": "at-least", "n": 1, "kind": "generic"}]}],
+              "outEdges": [{"id": "b", "transition": "yes", "place": "end",
+                "requirements": [{"action": "take", "n": 1, "kind": "generic"}]}]}]}""";
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void showsTheSessionAnswersStopsAndSaysWhenTheServerIsGone() throws Exception {
+        assumeFalse(
+                GraphicsEnvironment.isHeadless(),
+                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        DomainLibrary library =
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+        Project project = new ProjectReader(library.vocabulary()).read(PROJECT).orThrow();
+        JournalHeader header = JournalHeader.of(PROJECT, library.files().texts(), Map.of());
+        PeopleFile people = new PeopleFile(folder.resolve("people"));
+        people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        try (Session session =
+                Session.open(SessionSetup.of(library.vocabulary(), project).with(SessionJournal.none(header)))) {
+            SessionServer server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
+            session.begin();
+            RemoteWindow window = open(server, ended);
+            WindowRobot robot = new WindowRobot();
+            robot.untilSaid("connection", "Session at ws://127.0.0.1:");
+
+            session.start("talk", "talk", Map.of()).toCompletableFuture().get(300, TimeUnit.SECONDS);
+            robot.untilSaid("missions-count", "1 mission");
+            robot.untilSaid("decisions-count", "1 decision");
+            robot.untilShown("value-decision-yes");
+            AbstractButton yes = robot.find(AbstractButton.class, "value-decision-yes");
+            WindowRobot.ask(() -> {
+                yes.doClick(); // which answers
+                return true;
+            });
+            robot.until(
+                    "the answer has arrived",
+                    () -> session.models().decisions().snapshot().isEmpty());
+
+            WindowRobot.ask(() -> {
+                window.commands().get("fleet-stop").run();
+                return true;
+            });
+            robot.until(
+                    "the fleet is stopped",
+                    () -> session.models().fleetStop().snapshot().everyBoat());
+            assertThat(window.commands().get("globals-save").isEnabled()).isFalse();
+
+            server.close();
+            robot.until(
+                    "the loss is said",
+                    () -> robot.find(JLabel.class, "connection").getText().contains("connection lost ("));
+            WindowRobot.ask(() -> {
+                window.end();
+                return true;
+            });
+            assertThat(ended.get(300, TimeUnit.SECONDS)).isZero();
+            assertThat(session.faults().failure()).isEmpty();
+        }
+    }
+
+    private RemoteWindow open(SessionServer server, CompletableFuture<Integer> ended) throws Exception {
+        DataDirectory data = DataDirectory.openForSessionElsewhere(folder);
+        WindowSettings settings = new WindowSettings(data.settings());
+        ConnectionBand band = EventThread.get(() -> {
+            Look.apply(Theme.LIGHT, 100);
+            return new ConnectionBand();
+        });
+        RemoteSession session = RemoteSession.open(
+                SessionAddress.parse("ws://127.0.0.1:" + server.listensAt().getPort()),
+                new Login("anna", "key of anna"),
+                new ServerTrust(new KnownServers(folder.resolve("servers")), (authority, print) -> false),
+                EventThread.executor(),
+                band,
+                LocalTime::now);
+        return EventThread.get(() -> {
+            RemoteWindow made = new RemoteWindow(session, band, data, settings, ended::complete);
+            made.open();
+            return made;
+        });
+    }
+}

@@ -1,0 +1,48 @@
+package org.sami.session.client;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletionStage;
+import org.sami.crw.session.GuidedBoats;
+import org.sami.crw.session.WayByHand;
+import org.sami.spn.value.GeoPoint;
+
+/** Sends boats of a session in another process, each claimed for this person first. From any thread. */
+final class RemoteByHand implements GuidedBoats {
+    private final RemoteSession session;
+    private final RemoteFleet fleet;
+
+    RemoteByHand(RemoteSession session, RemoteFleet fleet) {
+        this.session = session;
+        this.fleet = fleet;
+    }
+
+    private CompletionStage<JsonNode> claimed(String boat, ObjectNode message) {
+        return fleet.claim(boat).thenCompose(mine -> session.ask(message.put("boat", boat)));
+    }
+
+    @Override
+    public CompletionStage<WayByHand> goTo(String boat, GeoPoint point) {
+        ObjectNode message =
+                RemoteSession.message("goTo").put("lat", point.latDeg()).put("lon", point.lonDeg());
+        return claimed(boat, message).thenApply(done -> {
+            List<GeoPoint> points = new ArrayList<>();
+            done.path("points")
+                    .forEach(at -> points.add(
+                            GeoPoint.of(at.path(0).asDouble(), at.path(1).asDouble())));
+            return new WayByHand(points, LinkRowReader.texts(done.path("warnings")));
+        });
+    }
+
+    @Override
+    public CompletionStage<Void> hold(String boat) {
+        return claimed(boat, RemoteSession.message("holdBoat")).thenAccept(done -> {});
+    }
+
+    @Override
+    public CompletionStage<Void> giveBack(String boat) {
+        return fleet.claim(boat).thenCompose(mine -> fleet.handBack(boat));
+    }
+}
