@@ -117,7 +117,7 @@ final class StepAside {
 
     /** The boat to which the vehicle gives way now; empty text for none. */
     String toWhom() {
-        return motion.isAside() ? rule.nearest(nowMs).orElse("") : "";
+        return motion.isAside() ? rule.nearestWithRightOfWay(nowMs).orElse("") : "";
     }
 
     private String words() {

@@ -185,6 +185,11 @@ final class VehicleGivingWay {
                 || leg.filter(one -> Math.abs(one.offsetM) <= ON_LINE_M).isPresent();
     }
 
+    /** The boat with the right of way that is nearest to it; empty where none is near. */
+    Optional<String> nearestWithRightOfWay(long nowMs) {
+        return surroundings.nearestWithRightOfWay(motion.latDeg, motion.lonDeg, nowMs);
+    }
+
     /** The boat nearest to it. */
     Optional<String> nearest(long nowMs) {
         return surroundings.nearest(motion.latDeg, motion.lonDeg, nowMs);

@@ -66,7 +66,7 @@ final class ModeControl {
         boolean drives = mode == BoatMode.PATH || mode == BoatMode.RETURN;
         return drives && givingWay.isGivingWay()
                 ? surroundings
-                        .nearest(vehicle.latDeg(), vehicle.lonDeg(), nowMs)
+                        .nearestWithRightOfWay(vehicle.latDeg(), vehicle.lonDeg(), nowMs)
                         .orElse("")
                 : "";
     }

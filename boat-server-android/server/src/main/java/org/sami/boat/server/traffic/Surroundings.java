@@ -23,6 +23,8 @@ public final class Surroundings {
 
     private static final double REACH_M = 2000; // of the plane
 
+    private static final double GIVEN_WAY_WITHIN_M = 25;
+
     private final String ownId;
     private final List<OtherBoat> others = new ArrayList<>(); // in the order of their first reports
     private final Map<String, OtherBoat> byId = new HashMap<>(); // the same ones
@@ -136,6 +138,23 @@ public final class Surroundings {
                 .min(Comparator.comparingDouble(
                         other -> PlaneMath.length(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM)))
                 .map(OtherBoat::boatId);
+    }
+
+    /** The name of the boat nearest to a position of those that have the right of way over this one; empty where none is near. */
+    public Optional<String> nearestWithRightOfWay(double latDeg, double lonDeg, long nowMs) {
+        double eastM = plane.eastM(latDeg, lonDeg);
+        double northM = plane.northM(latDeg, lonDeg);
+        double nearestM = GIVEN_WAY_WITHIN_M;
+        Optional<String> nearest = Optional.empty();
+        for (OtherBoat other : others) {
+            boolean isFirst = !other.isUnderWay() || other.boatId().compareTo(ownId) < 0;
+            double awayM = PlaneMath.length(other.eastM(nowMs) - eastM, other.northM(nowMs) - northM);
+            if (isFirst && awayM < nearestM) {
+                nearestM = awayM;
+                nearest = Optional.of(other.boatId());
+            }
+        }
+        return nearest;
     }
 
     /** Whether no-go edges are known near this boat. */
