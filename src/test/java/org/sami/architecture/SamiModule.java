@@ -114,7 +114,11 @@ enum SamiModule {
     SESSION_SERVER(
             "session-server",
             36,
-            List.of("org.sami.session.person..", "org.sami.session.rows..", "org.sami.session.server.."),
+            List.of(
+                    "org.sami.session.map..",
+                    "org.sami.session.person..",
+                    "org.sami.session.rows..",
+                    "org.sami.session.server.."),
             List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** A session in another process, for fronts here. */
     SESSION_CLIENT(

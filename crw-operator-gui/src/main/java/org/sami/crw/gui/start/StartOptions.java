@@ -65,7 +65,18 @@ public record StartOptions(
             Optional<NamedConditions> conditions,
             Near near,
             String domain) {
-        this(boats, project, theme, scale, resume, replay, atMillis, conditions, near, domain, ForeignVessels.NONE,
+        this(
+                boats,
+                project,
+                theme,
+                scale,
+                resume,
+                replay,
+                atMillis,
+                conditions,
+                near,
+                domain,
+                ForeignVessels.NONE,
                 Optional.empty());
     }
 
