@@ -265,6 +265,7 @@ final class Fronts implements AutoCloseable {
         if (ticks % TICKS_PER_SECOND == 0) {
             List.copyOf(open).forEach(this::lookAfter);
         }
+        feed.takeUp();
         long now = session.scheduler().nowMs();
         hand.look(now);
         List<Front> ready = open.stream()

@@ -12,7 +12,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.UUID;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import org.sami.crw.replay.FollowJson;
 import org.sami.crw.session.Session;
 import org.sami.spn.engine.EngineView;
@@ -39,6 +41,7 @@ final class JournalFeed implements HostListener, AutoCloseable {
     private final Session session;
     private final KeptRows rows = new KeptRows();
     private final Map<String, String> documents = new LinkedHashMap<>(); // of loaded projects, by SHA-256
+    private final Queue<Item> arrived = new ConcurrentLinkedQueue<>(); // without numbers yet
     private final Deque<Item> items = new ArrayDeque<>();
     private List<Registration> registrations = List.of();
     private long last;
@@ -73,10 +76,7 @@ final class JournalFeed implements HostListener, AutoCloseable {
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
-        synchronized (this) {
-            remember(input);
-            add(Optional.of(new JournalEntry(index, atMillis, input)), Optional.empty());
-        }
+        arrived.add(new Item(0, Optional.of(new JournalEntry(index, atMillis, input)), Optional.empty()));
     }
 
     private void remember(Input input) {
@@ -85,26 +85,32 @@ final class JournalFeed implements HostListener, AutoCloseable {
         }
     }
 
-    private synchronized void take(TelemetryRow row) {
-        add(Optional.empty(), Optional.of(row));
-        rows.take(last, row);
+    private void take(TelemetryRow row) {
+        arrived.add(new Item(0, Optional.empty(), Optional.of(row)));
     }
 
-    private void add(Optional<JournalEntry> entry, Optional<TelemetryRow> row) {
-        items.add(new Item(++last, entry, row));
-        if (items.size() > KEPT) {
-            items.poll();
+    /** Takes up what has arrived; to be called several times a second. */
+    synchronized void takeUp() {
+        for (Item next = arrived.poll(); next != null; next = arrived.poll()) {
+            items.add(new Item(++last, next.entry(), next.row()));
+            next.entry().ifPresent(entry -> remember(entry.input()));
+            next.row().ifPresent(row -> rows.take(last, row));
+            if (items.size() > KEPT) {
+                items.poll();
+            }
         }
     }
 
     /** Whether somebody who had this session's feed up to a number can go on there. */
     synchronized boolean has(String session, long number) {
+        takeUp();
         long first = items.isEmpty() ? last + 1 : items.element().number();
         return session.equals(id) && number >= first - 1 && number <= last;
     }
 
     /** A message with what follows a number, some of it where it is much; empty where nothing does. Its {@code n} is the number of the last in it. */
     synchronized Optional<ObjectNode> after(long number) {
+        takeUp();
         if (number >= last) {
             return Optional.empty();
         }
@@ -144,6 +150,7 @@ final class JournalFeed implements HostListener, AutoCloseable {
         message.set("header", FollowJson.write(header));
         message.put("state", Base64.getEncoder().encodeToString(state.state()));
         synchronized (this) {
+            takeUp();
             long number = items.stream()
                     .filter(item -> item.entry()
                             .filter(entry -> entry.index() > state.index())

@@ -65,25 +65,38 @@ public final class SessionTelemetry {
     }
 
     /** Several of one channel are written as one row: they are most of what a run writes down. */
-    public synchronized void reading(SensorValue reading) {
-        ReadingBatch batch = batches.computeIfAbsent(
-                new ReadingBatch.Channel(reading.boat(), reading.sensor(), reading.channel(), reading.unit()),
-                ReadingBatch::new);
-        if (batch.isDue(reading.atMillis())) {
-            write(batch);
+    public void reading(SensorValue reading) {
+        Optional<Due> due;
+        synchronized (this) {
+            ReadingBatch batch = batches.computeIfAbsent(
+                    new ReadingBatch.Channel(reading.boat(), reading.sensor(), reading.channel(), reading.unit()),
+                    ReadingBatch::new);
+            due = batch.isDue(reading.atMillis()) ? take(batch) : Optional.empty();
+            batch.add(reading);
         }
-        batch.add(reading);
+        due.ifPresent(this::write);
     }
 
     /** Writes what waits to be written with more of its kind. */
-    public synchronized void flush() {
-        batches.values().forEach(this::write);
+    public void flush() {
+        List<Due> due = new ArrayList<>();
+        synchronized (this) {
+            batches.values().forEach(batch -> take(batch).ifPresent(due::add));
+        }
+        due.forEach(this::write);
     }
 
-    private void write(ReadingBatch batch) {
-        if (!batch.isEmpty()) {
-            add(batch.lastMillis(), batch.boat(), READINGS, batch.take());
-        }
+    /** Readings that are due, as one row. */
+    private record Due(long atMillis, String boat, Object json) {}
+
+    private static Optional<Due> take(ReadingBatch batch) {
+        return batch.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new Due(batch.lastMillis(), batch.boat(), batch.take()));
+    }
+
+    private void write(Due due) {
+        add(due.atMillis(), due.boat(), READINGS, due.json());
     }
 
     /** Notes that a boat was at a location. */
@@ -133,21 +146,26 @@ public final class SessionTelemetry {
      * @param kind kind of the row, such as {@code pose}
      * @param json a tree, or a record whose components are its members
      */
-    public synchronized void add(long atMillis, String boat, String kind, Object json) {
+    public void add(long atMillis, String boat, String kind, Object json) {
         try {
-            if (problem.isPresent() && listeners.isEmpty()) {
-                return;
-            }
             TelemetryRow row = new TelemetryRow(atMillis, boat, kind, JSON.writeValueAsString(json));
             listeners.each(listener -> listener.accept(row));
-            if (problem.isEmpty()) {
-                journal.addTelemetry(row);
-            }
+            keep(row);
         } catch (IOException e) {
-            String text = "telemetry is no longer kept in the journal: " + e.getMessage();
-            problem = Optional.of(new SessionNote(atMillis, SessionNote.JOURNAL, Ids.NONE, text));
-            LOG.log(System.Logger.Level.WARNING, text);
+            failed(atMillis, e);
         }
+    }
+
+    private synchronized void keep(TelemetryRow row) throws IOException {
+        if (problem.isEmpty()) {
+            journal.addTelemetry(row);
+        }
+    }
+
+    private synchronized void failed(long atMillis, IOException e) {
+        String text = "telemetry is no longer kept in the journal: " + e.getMessage();
+        problem = Optional.of(new SessionNote(atMillis, SessionNote.JOURNAL, Ids.NONE, text));
+        LOG.log(System.Logger.Level.WARNING, text);
     }
 
     /** What is missing in the journal and why; empty where nothing is. */
