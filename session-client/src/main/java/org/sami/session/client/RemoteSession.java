@@ -5,7 +5,6 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.time.LocalTime;
-import java.time.format.DateTimeFormatter;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -24,7 +23,6 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.handler.motion.WayLimits;
-import org.sami.crw.operator.FollowFeed;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.replay.FollowedSession;
 import org.sami.crw.session.DraftJudge;
@@ -37,7 +35,6 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.Registration;
 import org.sami.spn.json.ProtocolJson;
-import org.sami.spn.json.UnreadableJsonException;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
@@ -55,22 +52,14 @@ import org.sami.spn.vocabulary.Vocabulary;
  * which says what came of them after their results have arrived here. A lost connection is made again by itself, and what is shown meanwhile is as it was seen last.
  */
 public final class RemoteSession implements FrontSession, AutoCloseable {
-    private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
-
     private final SessionAddress address;
     private final Login login;
     private final Executor front;
-    private final RemoteListener listener;
-    private final Supplier<LocalTime> wallClock;
     private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(named("session link"));
     private final ExecutorService computing = Executors.newSingleThreadExecutor(named("map"));
     private final RemoteFleet fleet = new RemoteFleet(this);
-    private final CompletableFuture<SessionCopy> first = new CompletableFuture<>();
-    private final CompletableFuture<SessionCopy> shown = new CompletableFuture<>(); // with the rows of its boats
-    private final SessionLink link;
+    private final SessionFollower follower;
     private final AtomicBoolean closed = new AtomicBoolean();
-    private Optional<LocalTime> seen = Optional.empty();
-    private boolean away;
 
     private RemoteSession(
             SessionAddress address,
@@ -82,9 +71,8 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         this.address = address;
         this.login = login;
         this.front = front;
-        this.listener = listener;
-        this.wallClock = wallClock;
-        link = new SessionLink(address, login, trust, new Following(), thread);
+        follower = new SessionFollower(
+                address, login, trust, front, computing, listener, wallClock, thread, fleet::disconnected);
     }
 
     private static ThreadFactory named(String name) {
@@ -111,9 +99,9 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
             Supplier<LocalTime> wallClock)
             throws IOException, InterruptedException {
         RemoteSession session = new RemoteSession(address, login, trust, front, listener, wallClock);
-        session.link.start();
+        session.follower.start();
         try {
-            session.shown.get();
+            session.follower.shown().get();
             return session;
         } catch (ExecutionException fault) {
             session.close();
@@ -135,126 +123,8 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         return login.name();
     }
 
-    // ---- what comes from the server; on the link's thread
-
-    private final class Following implements LinkListener {
-        @Override
-        public void welcomed(JsonNode message) {
-            ObjectNode follow = message("follow");
-            copy().filter(known -> !known.id().isEmpty())
-                    .ifPresent(known -> follow.put("session", known.id()).put("after", known.reached()));
-            link.request(follow).whenComplete((done, fault) -> {
-                if (fault != null && copy().isEmpty()) {
-                    failed(RefusedException.reason(fault));
-                } else if (fault != null) {
-                    link.again(RefusedException.reason(fault));
-                } else if (away) {
-                    away = false;
-                    listener.back();
-                }
-            });
-        }
-
-        @Override
-        public void received(JsonNode message) {
-            seen = Optional.of(wallClock.get());
-            try {
-                take(message);
-            } catch (UnreadableJsonException | IOException | IllegalArgumentException | IllegalStateException fault) {
-                failed(fault.getMessage() == null ? fault.toString() : fault.getMessage());
-            }
-        }
-
-        @Override
-        public void lost(String why) {
-            fleet.disconnected();
-            if (copy().isEmpty()) {
-                failed(why);
-            } else if (!away) {
-                away = true;
-                listener.lost("connection lost (" + why + "), last seen "
-                        + seen.map(CLOCK::format).orElse("never") + "; it is tried again");
-            }
-        }
-
-        @Override
-        public void ended(String why) {
-            failed(why);
-        }
-    }
-
-    private void take(JsonNode message) throws IOException, UnreadableJsonException {
-        switch (message.path("t").asText()) {
-            case "session" -> begin(message);
-            case "journal" -> {
-                if (copy().isPresent()) {
-                    copy().get().journal(message);
-                }
-            }
-            case "rows" ->
-                copy().ifPresent(known -> {
-                    known.rows(message);
-                    shown.complete(known);
-                });
-            case "news" -> {
-                if (!message.path("by").asText().equals(person())) {
-                    listener.news(message.path("text").asText());
-                }
-            }
-            default -> {
-                // this version does not need it
-            }
-        }
-    }
-
-    private void begin(JsonNode message) throws IOException {
-        Optional<SessionCopy> known = copy();
-        if (known.isPresent() && !known.get().isOf(message)) {
-            throw new IOException("another session is at " + address + " now");
-        }
-        SessionCopy copy = known.isPresent()
-                ? known.get()
-                : new SessionCopy(message, address.toString(), front, computing, acknowledgements());
-        copy.begin(message);
-        first.complete(copy);
-    }
-
-    private FollowFeed.Acknowledgements acknowledgements() {
-        return new FollowFeed.Acknowledgements() {
-            @Override
-            public void message(long number) {
-                acknowledge("message", number);
-            }
-
-            @Override
-            public void alarm(long number) {
-                acknowledge("alarm", number);
-            }
-        };
-    }
-
-    private void acknowledge(String what, long number) {
-        link.request(message("acknowledge").put(what, number)).exceptionally(fault -> {
-            listener.news("not acknowledged: " + RefusedException.reason(fault));
-            return JsonNodeFactory.instance.nullNode();
-        });
-    }
-
-    /** Nothing comes of this connection, ever. */
-    private void failed(String why) {
-        first.completeExceptionally(new RefusedException(why));
-        if (!shown.completeExceptionally(new RefusedException(why))) {
-            listener.ended(why);
-        }
-        link.close();
-    }
-
-    private Optional<SessionCopy> copy() {
-        return first.isDone() && !first.isCompletedExceptionally() ? Optional.of(first.join()) : Optional.empty();
-    }
-
     private FollowedSession followed() {
-        return first.join().followed();
+        return follower.shown().join().followed();
     }
 
     // ---- requests
@@ -265,7 +135,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     /** Asks the server for something; its reply arrives on the front's executor, after what followed from it. */
     CompletionStage<JsonNode> ask(ObjectNode message) {
-        return onFront(link.request(message));
+        return onFront(follower.request(message));
     }
 
     private <T> CompletionStage<T> onFront(CompletionStage<T> result) {
@@ -310,7 +180,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     @Override
     public long nowMillis() {
-        return first.join().nowMillis();
+        return follower.shown().join().nowMillis();
     }
 
     @Override
@@ -446,7 +316,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         if (!closed.compareAndSet(false, true)) {
             return;
         }
-        thread.execute(link::close);
+        thread.execute(follower::close);
         thread.shutdown();
         computing.shutdown();
         try {
