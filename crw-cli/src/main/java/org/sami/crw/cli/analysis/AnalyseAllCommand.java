@@ -80,8 +80,9 @@ public final class AnalyseAllCommand implements Callable<Integer> {
     @Option(
             names = "--states",
             paramLabel = "N",
-            description = "How many states of a net are looked at. Default: " + STANDARD_STATES
-                    + ", fewer in nets of more than 300 transitions, of which there may be 10000 at most.")
+            defaultValue = "0",
+            description = "How many states of a net are looked at; 0: 50000, fewer in nets of more than 300"
+                    + " transitions, and none of those with more than 10000.")
     private int states;
 
     @Override
@@ -90,7 +91,7 @@ public final class AnalyseAllCommand implements Callable<Integer> {
             throw new UsageFault("--boats is 0 to " + PlanArgument.MOST_BOATS + ", several with commas, not " + boats);
         }
         if (states < 0 || states > SearchBudget.MOST_STATES) {
-            throw new UsageFault("--states is 1 to " + SearchBudget.MOST_STATES + ", not " + states);
+            throw new UsageFault("--states is 0 to " + SearchBudget.MOST_STATES + ", not " + states);
         }
         Reading<DomainLibrary> words = domain.read();
         PrintWriter err = spec.commandLine().getErr();
