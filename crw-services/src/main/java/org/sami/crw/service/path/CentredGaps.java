@@ -98,7 +98,7 @@ final class CentredGaps {
         double pass(Coordinate place, boolean isTurn) {
             double hereM = clearanceM(place);
             Coordinate centre = hereM < narrowM ? centre(place, hereM) : place;
-            if (centre != place) {
+            if (!centre.equals2D(place)) {
                 places++;
                 moved.add(centre);
                 nearestM = Math.min(nearestM, clearanceM(centre));
