@@ -103,7 +103,7 @@ enum SamiModule {
             List.of(CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     CRW_SESSION(
             "crw-session",
-            245,
+            260,
             List.of(
                     "org.sami.crw.judgement..",
                     "org.sami.crw.operator..",
@@ -113,7 +113,7 @@ enum SamiModule {
     /** A session for several people. */
     SESSION_SERVER(
             "session-server",
-            36,
+            46,
             List.of(
                     "org.sami.session.map..",
                     "org.sami.session.person..",
@@ -123,7 +123,7 @@ enum SamiModule {
     /** A session in another process, for fronts here. */
     SESSION_CLIENT(
             "session-client",
-            14,
+            16,
             List.of("org.sami.session.client.."),
             List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** Colours, and pictures of nets, for windows, command and reports. */
