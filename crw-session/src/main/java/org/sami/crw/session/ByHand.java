@@ -88,7 +88,7 @@ public final class ByHand implements GuidedBoats {
         return go(boat, start -> start.to(point), words(boat, point));
     }
 
-    /** Has an aircraft fly to where it took off, and land there. Refused on the ground, and where it has not said where that is. */
+    @Override
     public CompletionStage<WayByHand> goHome(String boat) {
         return go(boat, WayByHand.Start::back, "sent " + boat + " home");
     }

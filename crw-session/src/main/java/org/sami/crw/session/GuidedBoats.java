@@ -8,6 +8,9 @@ public interface GuidedBoats {
     /** Has a boat go to a point, around what is to be avoided. Refused where the point lies in such an area, or where there is no way around. */
     CompletionStage<WayByHand> goTo(String boat, GeoPoint point);
 
+    /** Has an aircraft fly to where it took off, and land there. Refused on the ground, and where it has not said where that is. */
+    CompletionStage<WayByHand> goHome(String boat);
+
     /** Has a boat keep the place where it is, until it is given back. */
     CompletionStage<Void> hold(String boat);
 

@@ -11,7 +11,8 @@ class SnapWhileDraggingTest {
 
     @Test
     void liesInLineWithANeighbourThatIsNear() {
-        SnapWhileDragging guide = SnapWhileDragging.of(FROM, 100, 50, List.of(new LayoutPoint(117, 300), new LayoutPoint(110, 0)));
+        SnapWhileDragging guide =
+                SnapWhileDragging.of(FROM, 100, 50, List.of(new LayoutPoint(117, 300), new LayoutPoint(110, 0)));
 
         assertThat(FROM.x() + guide.dx()).isEqualTo(110); // nearer to 113 than 117
         assertThat(guide.column()).contains(110.0);

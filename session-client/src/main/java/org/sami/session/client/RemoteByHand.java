@@ -27,13 +27,20 @@ final class RemoteByHand implements GuidedBoats {
     public CompletionStage<WayByHand> goTo(String boat, GeoPoint point) {
         ObjectNode message =
                 RemoteSession.message("goTo").put("lat", point.latDeg()).put("lon", point.lonDeg());
-        return claimed(boat, message).thenApply(done -> {
-            List<GeoPoint> points = new ArrayList<>();
-            done.path("points")
-                    .forEach(at -> points.add(
-                            GeoPoint.of(at.path(0).asDouble(), at.path(1).asDouble())));
-            return new WayByHand(points, LinkRowReader.texts(done.path("warnings")));
-        });
+        return claimed(boat, message).thenApply(RemoteByHand::way);
+    }
+
+    @Override
+    public CompletionStage<WayByHand> goHome(String boat) {
+        return claimed(boat, RemoteSession.message("goHome")).thenApply(RemoteByHand::way);
+    }
+
+    private static WayByHand way(JsonNode done) {
+        List<GeoPoint> points = new ArrayList<>();
+        done.path("points")
+                .forEach(at ->
+                        points.add(GeoPoint.of(at.path(0).asDouble(), at.path(1).asDouble())));
+        return new WayByHand(points, LinkRowReader.texts(done.path("warnings")));
     }
 
     @Override

@@ -69,7 +69,7 @@ final class FrontCommands {
                 long mission = running(message.number("mission"));
                 yield news.noted(person, "sent again what failed in mission " + mission, session.sendAgain(mission));
             }
-            case "claim", "drive", "goTo", "holdBoat", "giveBack" -> {
+            case "claim", "drive", "goTo", "goHome", "holdBoat", "giveBack" -> {
                 Rights.require(person, Right.DRIVE);
                 yield hand.carryOut(front, person, message);
             }

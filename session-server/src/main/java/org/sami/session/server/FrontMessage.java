@@ -50,6 +50,7 @@ record FrontMessage(String type, long id, JsonNode body) {
             Map.entry("claim", Set.of("boat")),
             Map.entry("drive", Set.of("boat", "thrust", "rudder")),
             Map.entry("goTo", Set.of("boat", "lat", "lon")),
+            Map.entry("goHome", Set.of("boat")),
             Map.entry("holdBoat", Set.of("boat")),
             Map.entry("giveBack", Set.of("boat")),
             Map.entry("acknowledge", Set.of("message", "alarm")),

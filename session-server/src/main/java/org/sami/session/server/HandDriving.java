@@ -51,6 +51,10 @@ final class HandDriving {
                 handBack(boat);
                 yield session.byHand().goTo(boat, message.point()).thenApply(CommandReply::of);
             }
+            case "goHome" -> {
+                handBack(boat);
+                yield session.byHand().goHome(boat).thenApply(CommandReply::of);
+            }
             case "holdBoat" -> {
                 handBack(boat);
                 yield done(session.byHand().hold(boat));
