@@ -14,12 +14,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Windows show texts as they are written: none is HTML, which would fetch what a name from a file or link tells it to. */
 class PlainTextInWindowsTest {
-    private static final String BORDER = "PlainText.java"; // gives all components plain texts
+    private static final String BORDER = "PlainTextUI.java"; // gives all components plain texts
 
     /** What makes HTML of a text, or a tab's title of one that is not written in the source. */
     private static final Pattern HTML = Pattern.compile(
             "<html|html\\.disable|JEditorPane|JTextPane|swing\\.text\\.html|BasicHTML"
-                    + "|(addTab|insertTab|setTitleAt)\\(\\s*(?!\\s|\"|PlainText\\.of\\()",
+                    + "|(addTab|insertTab|setTitleAt)\\(\\s*(?!\\s|\"|PlainTextUI\\.of\\()",
             Pattern.CASE_INSENSITIVE);
 
     @Test
@@ -53,7 +53,7 @@ class PlainTextInWindowsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"tabs.addTab(\"Plans\", plans)", "tabs.addTab(PlainText.of(title), view)"})
+    @ValueSource(strings = {"tabs.addTab(\"Plans\", plans)", "tabs.addTab(PlainTextUI.of(title), view)"})
     void allowsTitlesThatAreKnown(String source) {
         assertThat(HTML.matcher(source).find()).isFalse();
     }

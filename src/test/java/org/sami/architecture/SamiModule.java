@@ -57,11 +57,11 @@ enum SamiModule {
     /** Journals in PostgreSQL. */
     JOURNAL_POSTGRES("journal-postgres", 14, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
     /** Place/transition nets and their analysis: no plan and no boat. */
-    PETRI("petri", 120, List.of("org.sami.petri.."), List.of()),
+    PETRI("petri", 140, List.of("org.sami.petri.."), List.of()),
     /** What helps to write plans. */
     SPN_AUTHORING(
             "spn-authoring",
-            185,
+            215,
             List.of(
                     "org.sami.spn.drawing..",
                     "org.sami.spn.geotext..",

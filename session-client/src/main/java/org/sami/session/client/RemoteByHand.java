@@ -11,28 +11,28 @@ import org.sami.spn.value.GeoPoint;
 
 /** Sends boats of a session in another process, each claimed for this person first. From any thread. */
 final class RemoteByHand implements GuidedBoats {
-    private final RemoteSession session;
+    private final ServerRequests server;
     private final RemoteFleet fleet;
 
-    RemoteByHand(RemoteSession session, RemoteFleet fleet) {
-        this.session = session;
+    RemoteByHand(ServerRequests server, RemoteFleet fleet) {
+        this.server = server;
         this.fleet = fleet;
     }
 
     private CompletionStage<JsonNode> claimed(String boat, ObjectNode message) {
-        return fleet.claim(boat).thenCompose(mine -> session.ask(message.put("boat", boat)));
+        return fleet.claim(boat).thenCompose(mine -> server.ask(message.put("boat", boat)));
     }
 
     @Override
     public CompletionStage<WayByHand> goTo(String boat, GeoPoint point) {
         ObjectNode message =
-                RemoteSession.message("goTo").put("lat", point.latDeg()).put("lon", point.lonDeg());
+                ServerRequests.message("goTo").put("lat", point.latDeg()).put("lon", point.lonDeg());
         return claimed(boat, message).thenApply(RemoteByHand::way);
     }
 
     @Override
     public CompletionStage<WayByHand> goHome(String boat) {
-        return claimed(boat, RemoteSession.message("goHome")).thenApply(RemoteByHand::way);
+        return claimed(boat, ServerRequests.message("goHome")).thenApply(RemoteByHand::way);
     }
 
     private static WayByHand way(JsonNode done) {
@@ -45,7 +45,7 @@ final class RemoteByHand implements GuidedBoats {
 
     @Override
     public CompletionStage<Void> hold(String boat) {
-        return claimed(boat, RemoteSession.message("holdBoat")).thenAccept(done -> {});
+        return claimed(boat, ServerRequests.message("holdBoat")).thenAccept(done -> {});
     }
 
     @Override

@@ -22,16 +22,16 @@ import org.sami.spn.value.Value;
 
 /** Has a session in another process judge drafts, as the engine's inputs that they would become. From any thread. */
 final class RemoteDrafts implements DraftJudge {
-    private final RemoteSession session;
+    private final ServerRequests server;
 
-    RemoteDrafts(RemoteSession session) {
-        this.session = session;
+    RemoteDrafts(ServerRequests server) {
+        this.server = server;
     }
 
     private CompletionStage<Judgement> judge(Input input) {
-        ObjectNode message = RemoteSession.message("draft");
+        ObjectNode message = ServerRequests.message("draft");
         message.set("input", ProtocolJson.input(input));
-        return session.ask(message).thenApply(RemoteDrafts::read);
+        return server.ask(message).thenApply(RemoteDrafts::read);
     }
 
     private static Judgement read(JsonNode done) {

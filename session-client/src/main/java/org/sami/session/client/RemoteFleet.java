@@ -7,6 +7,8 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
+import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -16,11 +18,13 @@ import org.sami.spn.value.GeoPoint;
 
 /** The boats of a session in another process. A boat is claimed for this person before it is driven by hand, and given back with it. Safe for use by several threads. */
 final class RemoteFleet implements FrontFleet {
-    private final RemoteSession session;
+    private final ServerRequests server;
+    private final Supplier<OperatorModels> models;
     private final Set<String> claimed = ConcurrentHashMap.newKeySet();
 
-    RemoteFleet(RemoteSession session) {
-        this.session = session;
+    RemoteFleet(ServerRequests server, Supplier<OperatorModels> models) {
+        this.server = server;
+        this.models = models;
     }
 
     /** The server has ended this connection's claims. */
@@ -29,33 +33,33 @@ final class RemoteFleet implements FrontFleet {
     }
 
     private static ObjectNode told(String what, String boat) {
-        return RemoteSession.message("boat").put("do", what).put("boat", boat);
+        return ServerRequests.message("boat").put("do", what).put("boat", boat);
     }
 
     private CompletionStage<Void> tell(String what, String boat) {
-        return session.ask(told(what, boat)).thenAccept(done -> {});
+        return server.ask(told(what, boat)).thenAccept(done -> {});
     }
 
     @Override
     public CompletionStage<String> connect(BoatAddress address) {
-        return session.ask(RemoteSession.message("boat").put("do", "connect").put("address", address.toString()))
+        return server.ask(ServerRequests.message("boat").put("do", "connect").put("address", address.toString()))
                 .thenApply(done -> done.path("text").asText());
     }
 
     @Override
     public CompletionStage<Boolean> disconnect(String boat) {
-        return session.ask(told("disconnect", boat)).thenApply(done -> true);
+        return server.ask(told("disconnect", boat)).thenApply(done -> true);
     }
 
     @Override
     public CompletionStage<Boolean> disconnect(BoatAddress address) {
-        return session.ask(RemoteSession.message("boat").put("do", "disconnect").put("address", address.toString()))
+        return server.ask(ServerRequests.message("boat").put("do", "disconnect").put("address", address.toString()))
                 .thenApply(done -> true);
     }
 
     @Override
     public CompletionStage<List<String>> addSimulated(String name, GeoPoint start, int count) {
-        return session.ask(told("add", name)
+        return server.ask(told("add", name)
                         .put("lat", start.latDeg())
                         .put("lon", start.lonDeg())
                         .put("count", count))
@@ -68,7 +72,7 @@ final class RemoteFleet implements FrontFleet {
 
     @Override
     public CompletionStage<BoatExplanation> why(String boat) {
-        return session.models()
+        return models.get()
                 .fleet()
                 .boat(boat)
                 .map(BoatSnapshot::why)
@@ -94,13 +98,13 @@ final class RemoteFleet implements FrontFleet {
 
     @Override
     public CompletionStage<Void> handOver(String boat, String clientId) {
-        return session.ask(told("give", boat).put("client", clientId)).thenAccept(done -> {});
+        return server.ask(told("give", boat).put("client", clientId)).thenAccept(done -> {});
     }
 
     @Override
     public CompletionStage<Void> teleoperate(String boat, double thrust, double rudder) {
         return claim(boat)
-                .thenCompose(ready -> session.ask(RemoteSession.message("drive")
+                .thenCompose(ready -> server.ask(ServerRequests.message("drive")
                         .put("boat", boat)
                         .put("thrust", thrust)
                         .put("rudder", rudder)))
@@ -109,12 +113,12 @@ final class RemoteFleet implements FrontFleet {
 
     @Override
     public CompletionStage<List<Long>> clearBlock(String boat) {
-        return session.ask(told("clear", boat)).thenApply(done -> List.of());
+        return server.ask(told("clear", boat)).thenApply(done -> List.of());
     }
 
     @Override
     public CompletionStage<Void> cancel(String boat, String commandId) {
-        return session.ask(told("cancel", boat).put("command", commandId)).thenAccept(done -> {});
+        return server.ask(told("cancel", boat).put("command", commandId)).thenAccept(done -> {});
     }
 
     @Override
@@ -126,12 +130,12 @@ final class RemoteFleet implements FrontFleet {
     CompletionStage<Void> claim(String boat) {
         return claimed.contains(boat)
                 ? CompletableFuture.completedFuture(null)
-                : session.ask(RemoteSession.message("claim").put("boat", boat)).thenAccept(done -> claimed.add(boat));
+                : server.ask(ServerRequests.message("claim").put("boat", boat)).thenAccept(done -> claimed.add(boat));
     }
 
     @Override
     public CompletionStage<Void> handBack(String boat) {
-        return session.ask(RemoteSession.message("giveBack").put("boat", boat))
+        return server.ask(ServerRequests.message("giveBack").put("boat", boat))
                 .thenAccept(done -> claimed.remove(boat));
     }
 
@@ -147,11 +151,11 @@ final class RemoteFleet implements FrontFleet {
 
     @Override
     public CompletionStage<List<String>> stopAll() {
-        return session.ask(RemoteSession.message("stopFleet")).thenApply(RemoteFleet::boats);
+        return server.ask(ServerRequests.message("stopFleet")).thenApply(RemoteFleet::boats);
     }
 
     @Override
     public CompletionStage<List<String>> releaseAll() {
-        return session.ask(RemoteSession.message("releaseFleet")).thenApply(RemoteFleet::boats);
+        return server.ask(ServerRequests.message("releaseFleet")).thenApply(RemoteFleet::boats);
     }
 }

@@ -1,7 +1,6 @@
 package org.sami.session.client;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.time.LocalTime;
@@ -57,7 +56,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
     private final Executor front;
     private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(named("session link"));
     private final ExecutorService computing = Executors.newSingleThreadExecutor(named("map"));
-    private final RemoteFleet fleet = new RemoteFleet(this);
+    private final RemoteFleet fleet = new RemoteFleet(this::ask, this::models);
     private final SessionFollower follower;
     private final AtomicBoolean closed = new AtomicBoolean();
 
@@ -129,12 +128,8 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     // ---- requests
 
-    static ObjectNode message(String type) {
-        return JsonNodeFactory.instance.objectNode().put("t", type);
-    }
-
     /** Asks the server for something; its reply arrives on the front's executor, after what followed from it. */
-    CompletionStage<JsonNode> ask(ObjectNode message) {
+    private CompletionStage<JsonNode> ask(ObjectNode message) {
         return onFront(follower.request(message));
     }
 
@@ -156,7 +151,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
     }
 
     private CompletionStage<JsonNode> reply(Input input) {
-        ObjectNode message = message("input");
+        ObjectNode message = ServerRequests.message("input");
         message.set("input", ProtocolJson.input(input));
         return ask(message);
     }
@@ -190,7 +185,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     @Override
     public CompletionStage<Void> caughtUp() {
-        return ask(message("ping")).thenCompose(done -> models().shown());
+        return ask(ServerRequests.message("ping")).thenCompose(done -> models().shown());
     }
 
     @Override
@@ -255,12 +250,12 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     @Override
     public DraftJudge drafts() {
-        return new RemoteDrafts(this);
+        return new RemoteDrafts(this::ask);
     }
 
     @Override
     public GuidedBoats byHand() {
-        return new RemoteByHand(this, fleet);
+        return new RemoteByHand(this::ask, fleet);
     }
 
     @Override
@@ -270,7 +265,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     @Override
     public CompletionStage<Void> sendAgain(long mission) {
-        return ask(message("again").put("mission", mission)).thenAccept(done -> {});
+        return ask(ServerRequests.message("again").put("mission", mission)).thenAccept(done -> {});
     }
 
     @Override
@@ -295,7 +290,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     @Override
     public CompletionStage<Void> addNote(String text, Optional<GeoPoint> position) {
-        ObjectNode note = message("note").put("text", text);
+        ObjectNode note = ServerRequests.message("note").put("text", text);
         position.ifPresent(at -> note.put("lat", at.latDeg()).put("lon", at.lonDeg()));
         return ask(note).thenAccept(done -> {});
     }

@@ -80,7 +80,7 @@ final class SessionFollower implements LinkListener {
 
     @Override
     public void welcomed(JsonNode message) {
-        ObjectNode follow = RemoteSession.message("follow");
+        ObjectNode follow = ServerRequests.message("follow");
         copy().filter(known -> !known.id().isEmpty())
                 .ifPresent(known -> follow.put("session", known.id()).put("after", known.reached()));
         link.request(follow).whenComplete((done, fault) -> {
@@ -173,7 +173,7 @@ final class SessionFollower implements LinkListener {
     }
 
     private void acknowledge(String what, long number) {
-        link.request(RemoteSession.message("acknowledge").put(what, number)).exceptionally(fault -> {
+        link.request(ServerRequests.message("acknowledge").put(what, number)).exceptionally(fault -> {
             listener.news("not acknowledged: " + RefusedException.reason(fault));
             return JsonNodeFactory.instance.nullNode();
         });
