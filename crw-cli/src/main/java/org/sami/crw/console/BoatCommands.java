@@ -45,15 +45,15 @@ final class BoatCommands {
                 withBoat(
                         "take BOAT",
                         "Takes command of a boat, also from another base.",
-                        told(FrontFleet::takeCommand, "taken")),
+                        carriedOut(FrontFleet::takeCommand, "taken")),
                 withBoat(
                         "ask BOAT",
                         "Asks who commands a boat for its command.",
-                        told(FrontFleet::askForCommand, "asked for")),
+                        carriedOut(FrontFleet::askForCommand, "asked for")),
                 withBoat(
                         "watch BOAT",
                         "Only watches a boat: another base may command it.",
-                        told(FrontFleet::handOver, "watched only")),
+                        carriedOut(FrontFleet::handOver, "watched only")),
                 withBoat("give BOAT CLIENT", "Gives a boat's command to another base.", this::give),
                 withBoat(
                         "drive BOAT THRUST RUDDER [SECONDS]",
@@ -62,7 +62,7 @@ final class BoatCommands {
                 withBoat(
                         "back BOAT",
                         "Gives a boat that was driven by hand back to the missions.",
-                        told(FrontFleet::handBack, "given back")),
+                        carriedOut(FrontFleet::handBack, "given back")),
                 ConsoleCommand.of(
                         "stop BOAT|all",
                         "Stops motors at once, until they are released; 'stop all' is the fleet stop.",
@@ -85,7 +85,7 @@ final class BoatCommands {
         return context.session().fleet();
     }
 
-    private ConsoleCommand.Action told(BiFunction<FrontFleet, String, CompletionStage<Void>> what, String words) {
+    private ConsoleCommand.Action carriedOut(BiFunction<FrontFleet, String, CompletionStage<Void>> what, String words) {
         return (arguments, out) -> {
             String boat = arguments.next("boat");
             arguments.end();

@@ -32,12 +32,12 @@ final class RemoteFleet implements FrontFleet {
         claimed.clear();
     }
 
-    private static ObjectNode told(String what, String boat) {
+    private static ObjectNode forBoat(String what, String boat) {
         return ServerRequests.message("boat").put("do", what).put("boat", boat);
     }
 
     private CompletionStage<Void> tell(String what, String boat) {
-        return server.ask(told(what, boat)).thenAccept(done -> {});
+        return server.ask(forBoat(what, boat)).thenAccept(done -> {});
     }
 
     @Override
@@ -48,7 +48,7 @@ final class RemoteFleet implements FrontFleet {
 
     @Override
     public CompletionStage<Boolean> disconnect(String boat) {
-        return server.ask(told("disconnect", boat)).thenApply(done -> true);
+        return server.ask(forBoat("disconnect", boat)).thenApply(done -> true);
     }
 
     @Override
@@ -59,7 +59,7 @@ final class RemoteFleet implements FrontFleet {
 
     @Override
     public CompletionStage<List<String>> addSimulated(String name, GeoPoint start, int count) {
-        return server.ask(told("add", name)
+        return server.ask(forBoat("add", name)
                         .put("lat", start.latDeg())
                         .put("lon", start.lonDeg())
                         .put("count", count))
@@ -98,7 +98,7 @@ final class RemoteFleet implements FrontFleet {
 
     @Override
     public CompletionStage<Void> handOver(String boat, String clientId) {
-        return server.ask(told("give", boat).put("client", clientId)).thenAccept(done -> {});
+        return server.ask(forBoat("give", boat).put("client", clientId)).thenAccept(done -> {});
     }
 
     @Override
@@ -113,12 +113,12 @@ final class RemoteFleet implements FrontFleet {
 
     @Override
     public CompletionStage<List<Long>> clearBlock(String boat) {
-        return server.ask(told("clear", boat)).thenApply(done -> List.of());
+        return server.ask(forBoat("clear", boat)).thenApply(done -> List.of());
     }
 
     @Override
     public CompletionStage<Void> cancel(String boat, String commandId) {
-        return server.ask(told("cancel", boat).put("command", commandId)).thenAccept(done -> {});
+        return server.ask(forBoat("cancel", boat).put("command", commandId)).thenAccept(done -> {});
     }
 
     @Override

@@ -22,13 +22,13 @@ final class FrontCommands {
     private final HandDriving hand;
     private final FleetCommands fleet;
     private final InputCommands inputs;
-    private final Answering answering;
+    private final PeopleAnswers answering;
     private final AnswerReader answers;
     private final PeopleNews news;
 
     FrontCommands(Session session, SettledDecisions settled, HandDriving hand, PeopleNews news) {
         this.session = session;
-        answering = new Answering(session, settled, news);
+        answering = new PeopleAnswers(session, settled, news);
         inputs = new InputCommands(session, answering, news);
         fleet = new FleetCommands(session.fleet(), news);
         this.hand = hand;

@@ -21,10 +21,10 @@ import org.sami.spn.value.TaskId;
  */
 final class InputCommands {
     private final Session session;
-    private final Answering answering;
+    private final PeopleAnswers answering;
     private final PeopleNews news;
 
-    InputCommands(Session session, Answering answering, PeopleNews news) {
+    InputCommands(Session session, PeopleAnswers answering, PeopleNews news) {
         this.session = session;
         this.answering = answering;
         this.news = news;

@@ -15,12 +15,12 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 
 /** Judges and gives the answers of people. Who answers second gets to know who was first. For the server's thread. */
-final class Answering {
+final class PeopleAnswers {
     private final Session session;
     private final SettledDecisions settled;
     private final PeopleNews news;
 
-    Answering(Session session, SettledDecisions settled, PeopleNews news) {
+    PeopleAnswers(Session session, SettledDecisions settled, PeopleNews news) {
         this.session = session;
         this.settled = settled;
         this.news = news;
