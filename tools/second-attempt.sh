@@ -5,7 +5,7 @@
 # Exit code 0 if all of them passed now; build/test-summary.txt then counts them as passed and names them. Otherwise it stays as it was.
 set -u
 real_time=':boat-server-android:server:test :crw-cli:processTest :crw-mavlink:test :crw-operator-gui:test :crw-operator-gui:windowTest
-    :crw-session:test :crw-sim:test :dreamm-ide:windowTest :journal-postgres:test :mavlink:test'
+    :crw-session:test :crw-sim:test :dreamm-ide:windowTest :journal-postgres:test :mavlink:test :session-client:test :session-server:test'
 most=5
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}" || exit 2
 summary=build/test-summary.txt

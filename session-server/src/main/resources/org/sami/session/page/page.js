@@ -71,16 +71,24 @@ const actions = {
   },
 };
 
-/** @param {string} text @param {boolean} isFault */
+/**
+ * Shows a line over the map for some seconds, under those that are still shown: a reply does not hide the news that came with it.
+ * @param {string} text @param {boolean} isFault
+ */
 function say(text, isFault) {
   const notice = byId('notice');
-  notice.textContent = text;
-  notice.className = isFault ? 'fault' : '';
+  const now = Date.now();
+  said = said.filter((one) => one.until > now).slice(1 - MOST_SAID);
+  said.push({until: now + (isFault ? 10000 : 5000), node: element('p', {class: isFault ? 'fault' : ''}, text)});
+  notice.replaceChildren(...said.map((one) => one.node));
   notice.hidden = false;
   clearTimeout(say.timer);
-  say.timer = window.setTimeout(() => (notice.hidden = true), isFault ? 10000 : 5000);
+  say.timer = window.setTimeout(() => (notice.hidden = true), Math.max(...said.map((one) => one.until)) - now);
 }
 say.timer = 0;
+const MOST_SAID = 3;
+/** @type {{until: number, node: HTMLElement}[]} */
+let said = [];
 
 /** @param {string} why */
 function showLogin(why) {
