@@ -1,8 +1,6 @@
 package org.sami.dreamm;
 
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
@@ -22,6 +20,7 @@ import javax.swing.JList;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
+import org.sami.ui.check.RealDisplay;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
 import org.sami.dreamm.start.AuthorDirectory;
@@ -55,9 +54,7 @@ final class AuthorRobot implements AutoCloseable {
     /** Opens a window; the test is skipped where there is no display. */
     static AuthorRobot open(Path data, Optional<String> open, Optional<Path> domain, Profile profile)
             throws IOException {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         DreammOptions options = new DreammOptions(open, domain, profile, Optional.of(Theme.LIGHT), Optional.of(100));
         CompletableFuture<Integer> ended = new CompletableFuture<>();
         AuthorDirectory known = AuthorDirectory.open(data);

@@ -11,15 +11,14 @@ import static java.awt.event.KeyEvent.VK_S;
 import static java.awt.event.KeyEvent.VK_SHIFT;
 import static java.awt.event.KeyEvent.VK_Z;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JTextField;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -46,9 +45,7 @@ class DreammWindowTest {
 
     @Test
     void aProjectIsOpenedEditedSavedAndReadBackEqualByKeys(@TempDir Path folder) throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         Path file = folder.resolve("clv.json");
         new ProjectWriter(DOMAIN.vocabulary()).write(DOMAIN.projectOf("clv").orElseThrow(), file);
         DreammOptions options = new DreammOptions(

@@ -1,9 +1,7 @@
 package org.sami.dreamm;
 
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
-import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
@@ -11,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import org.sami.ui.check.RealDisplay;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
@@ -51,9 +50,7 @@ final class LearnerRobot implements AutoCloseable {
     }
 
     private static LearnerRobot open(Path data, CourseFiles course, LearnOptions learn) throws IOException {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         DreammOptions options = new DreammOptions(
                 Optional.empty(), Optional.empty(), Profile.ALL, Optional.of(Theme.LIGHT), Optional.of(100), learn);
         CompletableFuture<Integer> ended = new CompletableFuture<>();

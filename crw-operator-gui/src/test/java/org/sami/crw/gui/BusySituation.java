@@ -5,13 +5,11 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.gui.mission.DividedTasks;
-import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.message.OperatorMessage;
@@ -24,7 +22,6 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.Value;
-import org.sami.ui.check.WindowRobot;
 
 /**
  * The real window over a session in which much goes on: 20 simulated boats behind loopback sockets, missions that run and that have ended, 40 tasks, 14 decisions
@@ -47,7 +44,7 @@ public final class BusySituation implements AutoCloseable {
     private static final int IN_A_ROW = 8;
     private static final int WITHIN_S = 300;
 
-    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
+    private OpenedWindow opened;
     private final LoopbackFleet fleet;
     private final OperatorWindow window;
 
@@ -61,7 +58,8 @@ public final class BusySituation implements AutoCloseable {
         Path project = OpenedWindow.writeBeachWithLibrary(folder.resolve("busy.json"));
         StartOptions options = new StartOptions(
                 fleet.addresses(), Optional.of(project), Optional.of(theme), Optional.of(percent), Optional.of(false));
-        window = WindowStart.open(options, DataDirectory.open(folder.resolve("data")), ended::complete);
+        opened = OpenedWindow.open(options, folder.resolve("data"));
+window = opened.window();
         try {
             fill();
         } catch (Exception | Error fault) {
@@ -209,11 +207,7 @@ public final class BusySituation implements AutoCloseable {
 
     @Override
     public void close() throws Exception {
-        WindowRobot.ask(() -> {
-            window.end();
-            return null;
-        });
-        ended.get(WITHIN_S, TimeUnit.SECONDS);
+        opened.end();
         fleet.close();
     }
 }

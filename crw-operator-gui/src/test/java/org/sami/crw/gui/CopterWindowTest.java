@@ -1,15 +1,14 @@
 package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JTable;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,9 +26,7 @@ class CopterWindowTest {
 
     @Test
     void opensOnFiveCoptersAndCallsThemSo() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         try (OpenedWindow opened = OpenedWindow.open(options("uav"), folder)) {
             robot.untilSaid("boats-count", "5 of 5 copters");
 
@@ -57,9 +54,7 @@ class CopterWindowTest {
     /** In the window's least size: each row has its mark, what it is, and its name. */
     @Test
     void namesOfATeamAreWhole() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         try (OpenedWindow opened = OpenedWindow.open(options("team"), folder)) {
             robot.untilSaid("boats-count", "5 of 5 robots");
             WindowRobot.ask(() -> {

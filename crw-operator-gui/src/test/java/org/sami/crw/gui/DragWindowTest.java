@@ -3,22 +3,18 @@ package org.sami.crw.gui;
 import static java.awt.event.KeyEvent.VK_9;
 import static java.awt.event.KeyEvent.VK_ALT;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import javax.swing.JTable;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.mission.DividedTasks;
-import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.palette.Theme;
@@ -44,17 +40,14 @@ class DragWindowTest {
 
     @Test
     void aTaskIsDraggedToTheRowOfAnotherBoat() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         Path project = Files.writeString(
                 folder.resolve("measure.json"),
                 new ProjectWriter(SessionWorld.LIBRARY.vocabulary()).text(SessionWorld.library("measure")));
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
         StartOptions options = new StartOptions(
                 List.of(), Optional.of(project), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
-        OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
-        try {
+        try (OpenedWindow opened = OpenedWindow.open(options, folder)) {
+OperatorWindow window = opened.window();
             WindowRobot robot = new WindowRobot();
             robot.untilSaid("boats-count", "5 of 5");
             DividedTasks.of(window.session(), LOCATIONS);
@@ -77,12 +70,6 @@ class DragWindowTest {
                     () -> queues(window).getOrDefault(to, List.of()).contains(task));
             assertThat(queues(window).getOrDefault(from, List.of())).doesNotContain(task);
             robot.untilSaid("notice", task.name());
-        } finally {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(300, TimeUnit.SECONDS);
         }
     }
 

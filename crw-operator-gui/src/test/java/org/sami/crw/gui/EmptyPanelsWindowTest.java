@@ -1,29 +1,23 @@
 package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.regex.Pattern;
 import javax.swing.JLabel;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.server.testing.Await;
-import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.message.OperatorMessage;
-import org.sami.palette.Theme;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.check.Layout;
 import org.sami.ui.check.WindowRobot;
@@ -44,19 +38,10 @@ class EmptyPanelsWindowTest {
 
     @Test
     void decisionsHaveRoomWhileOneWaitsAndTheArrangementIsKeptAsItWas() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        RealDisplay.assumed();
         try (LoopbackFleet fleet = new LoopbackFleet(List.of("anna", "bert"))) {
-            StartOptions options = new StartOptions(
-                    fleet.addresses(),
-                    Optional.empty(),
-                    Optional.of(Theme.LIGHT),
-                    Optional.of(100),
-                    Optional.of(false));
-            window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
-            try {
+            try (OpenedWindow opened = OpenedWindow.over(fleet.addresses(), folder)) {
+window = opened.window();
                 robot.untilSaid("boats-count", "2 of 2");
                 robot.until("the plans have the room", () -> height("decisions") < Look.px(130));
                 robot.until("interrupts gave theirs away", () -> height("interrupts") < Look.px(130));
@@ -79,12 +64,6 @@ class EmptyPanelsWindowTest {
                 robot.until(
                         "the net has the room below a pointer that rests", () -> height("decisions") < Look.px(130));
                 assertMissionsHaveTheRoomOfDecisions();
-            } finally {
-                WindowRobot.ask(() -> {
-                    window.end();
-                    return null;
-                });
-                ended.get(300, TimeUnit.SECONDS);
             }
         }
         List<Double> kept = Pattern.compile("roportion=\"([0-9.]+)\"")

@@ -6,29 +6,23 @@ import static java.awt.event.KeyEvent.VK_CONTROL;
 import static java.awt.event.KeyEvent.VK_ENTER;
 import static java.awt.event.KeyEvent.VK_SHIFT;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
-import java.awt.GraphicsEnvironment;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.MissionSnapshot;
-import org.sami.palette.Theme;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.Layout;
@@ -54,21 +48,10 @@ class ExploreWindowTest {
 
     @Test
     void aDrawnAreaIsExploredByTheChosenBoatsUntilTheMissionIsCompleted() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
-        StartOptions options = new StartOptions(
-                List.of(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
-        OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
-        try {
+        RealDisplay.assumed();
+        try (OpenedWindow opened = OpenedWindow.onBuiltInFleet(folder)) {
+OperatorWindow window = opened.window();
             explore(new WindowRobot(), window);
-        } finally {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(300, TimeUnit.SECONDS);
         }
     }
 

@@ -5,15 +5,14 @@ import static java.awt.event.KeyEvent.VK_ENTER;
 import static java.awt.event.KeyEvent.VK_K;
 import static java.awt.event.KeyEvent.VK_SHIFT;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -53,9 +52,7 @@ class FleetKeysWindowTest {
 
     @BeforeEach
     void launchABoatThatIsPairedWithTheFirstLaptop() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         KeyRing first = new KeyStoreFolder(KeyedWindow.keys(folder.resolve("first"))).open();
         first.add(new Peer(boatKeys.identity().fingerprint(), "olga", Role.OBSERVER));
         boatKeys.add(new Peer(first.identity().fingerprint(), "first laptop", Role.COMMANDER));

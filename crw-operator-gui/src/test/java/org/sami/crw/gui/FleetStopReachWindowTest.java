@@ -11,11 +11,9 @@ import static java.awt.event.KeyEvent.VK_Q;
 import static java.awt.event.KeyEvent.VK_SHIFT;
 import static java.awt.event.KeyEvent.VK_W;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
 import java.awt.Dialog;
-import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.WindowEvent;
@@ -24,12 +22,10 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import javax.swing.JMenu;
 import javax.swing.JRootPane;
 import javax.swing.JTextArea;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -40,8 +36,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.boat.link.BoatMode;
-import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.palette.Theme;
@@ -52,32 +46,25 @@ import org.sami.ui.look.Look;
 @Tag("window")
 @TestInstance(Lifecycle.PER_CLASS)
 class FleetStopReachWindowTest {
-    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
+    private OpenedWindow opened;
     private WindowRobot robot;
     private OperatorWindow window;
     private Path folder;
 
     @BeforeAll
     void open(@TempDir Path data) throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         folder = data;
         robot = new WindowRobot();
-        StartOptions options = new StartOptions(
-                List.of(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
-        window = WindowStart.open(options, DataDirectory.open(data), ended::complete);
+        opened = OpenedWindow.onBuiltInFleet(data);
+window = opened.window();
         robot.untilSaid("boats-count", "5 of 5");
     }
 
     @AfterAll
     void close() throws Exception {
         if (window != null) {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(300, TimeUnit.SECONDS);
+            opened.end();
         }
     }
 
@@ -154,7 +141,7 @@ class FleetStopReachWindowTest {
         robot.click("closing-stay");
 
         robot.until("it is closed", () -> !asked.isShowing());
-        assertThat(ended).isNotDone();
+        assertThat(opened.hasEnded()).isFalse();
         robot.press(VK_Q, VK_CONTROL);
         robot.untilFocused("closing-stay");
         robot.press(VK_ESCAPE);

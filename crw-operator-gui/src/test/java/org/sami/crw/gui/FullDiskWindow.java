@@ -4,11 +4,8 @@ import static java.awt.event.KeyEvent.VK_F12;
 
 import java.nio.file.Path;
 import java.util.Map;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import javax.swing.JLabel;
 import org.sami.boat.link.BoatMode;
-import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.health.HealthKind;
 import org.sami.ui.check.WindowRobot;
@@ -28,9 +25,8 @@ public final class FullDiskWindow {
      * @param args the data directory
      */
     public static void main(String[] args) throws Exception {
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
-        OperatorWindow window =
-                WindowStart.open(KilledWindow.options(false), DataDirectory.open(Path.of(args[0])), ended::complete);
+        OpenedWindow opened = OpenedWindow.onBuiltInFleet(Path.of(args[0]));
+OperatorWindow window = opened.window();
         WindowRobot robot = new WindowRobot();
         robot.untilSaid("boats-count", "5 of 5");
         for (int i = 0; i < MOST_MISSIONS && isWell(window); i++) {
@@ -47,11 +43,7 @@ public final class FullDiskWindow {
                         .allMatch(boat ->
                                 boat.mode().filter(BoatMode.FLEET_STOP::equals).isPresent()));
         System.out.println("all boats are stopped");
-        WindowRobot.ask(() -> {
-            window.end();
-            return null;
-        });
-        System.exit(ended.get(300, TimeUnit.SECONDS));
+        System.exit(opened.end());
     }
 
     private static boolean isWell(OperatorWindow window) {

@@ -11,19 +11,15 @@ import static java.awt.event.KeyEvent.VK_ENTER;
 import static java.awt.event.KeyEvent.VK_SHIFT;
 import static java.awt.event.KeyEvent.VK_SPACE;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
-import java.awt.GraphicsEnvironment;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
@@ -44,22 +40,18 @@ class KeyboardWindowTest {
 
     @Test
     void aMissionIsRunByKeysAloneWhileABoatsServerIsKilledAndComesBack() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         try (BoatServer anna = new BoatServer("anna", "25.3597,51.5268", folder);
                 BoatServer bert = new BoatServer("bert", "25.3595,51.5268", folder);
                 BoatServer carl = new BoatServer("carl", "25.3593,51.5268", folder)) {
-            CompletableFuture<Integer> ended = new CompletableFuture<>();
             StartOptions options = new StartOptions(
                     List.of(anna.address(), bert.address(), carl.address()),
                     Optional.empty(),
                     Optional.of(Theme.LIGHT),
                     Optional.of(100),
                     Optional.of(false));
-            OperatorWindow window =
-                    WindowStart.open(options, DataDirectory.open(folder.resolve("data")), ended::complete);
-            try {
+            try (OpenedWindow opened = OpenedWindow.open(options, folder.resolve("data"))) {
+OperatorWindow window = opened.window();
                 WindowRobot robot = new WindowRobot();
                 robot.untilSaid("boats-count", "3 of 3");
                 explore(robot, window);
@@ -70,12 +62,6 @@ class KeyboardWindowTest {
                 robot.until(
                         "the mission is completed",
                         () -> missions(window).get(0).outcome().equals(Optional.of(Outcome.COMPLETED)));
-            } finally {
-                WindowRobot.ask(() -> {
-                    window.end();
-                    return null;
-                });
-                ended.get(300, TimeUnit.SECONDS);
             }
             for (BoatServer boat : List.of(anna, bert)) {
                 assertThat(boat.log())

@@ -4,33 +4,23 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import javax.swing.JTextField;
-import org.sami.crw.gui.start.OperatorCommand;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.ui.check.WindowRobot;
-import picocli.CommandLine;
 
 /** The operator's window as {@code --keys} opens it, on a laptop that is a folder of its own: what the keys protect holds for the process until it is closed. */
 final class KeyedWindow implements AutoCloseable {
     final OperatorWindow window;
-    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
+    private final OpenedWindow opened;
 
     /** Opens it, with further options. */
     KeyedWindow(Path laptop, String... options) throws Exception {
         List<String> args = new ArrayList<>(List.of("--keys", keys(laptop).toString(), "--no-resume"));
         args.addAll(List.of("--data", laptop.resolve("data").toString()));
         args.addAll(List.of(options));
-        CompletableFuture<OperatorWindow> opened = new CompletableFuture<>();
-        int code = new CommandLine(new OperatorCommand(
-                        (chosen, data) -> opened.complete(WindowStart.open(chosen, data, ended::complete))))
-                .execute(args.toArray(String[]::new));
-        if (code != 0) {
-            throw new AssertionError("the command ends with " + code);
-        }
-        window = opened.get(300, TimeUnit.SECONDS);
+        opened = OpenedWindow.byCommand(args);
+        window = opened.window();
     }
 
     /** Where a laptop keeps its keys. */
@@ -54,10 +44,6 @@ final class KeyedWindow implements AutoCloseable {
     @Override
     public void close() throws Exception {
         new BaseProtection(Optional.empty(), false).use();
-        WindowRobot.ask(() -> {
-            window.end();
-            return null;
-        });
-        ended.get(300, TimeUnit.SECONDS);
+        opened.close();
     }
 }

@@ -1,18 +1,14 @@
 package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.spn.protocol.Question;
@@ -27,16 +23,11 @@ class KilledWindowTest {
 
     @Test
     void aWindowThatWasKilledIsGoneOnWithInAnother() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         killOneInAMission();
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
 
-        OperatorWindow window =
-                WindowStart.open(KilledWindow.options(true), DataDirectory.open(folder), ended::complete);
-
-        try {
+        try (OpenedWindow opened = OpenedWindow.open(KilledWindow.options(true), folder)) {
+OperatorWindow window = opened.window();
             WindowRobot robot = new WindowRobot();
             robot.untilSaid("boats-count", "5 of 5");
             robot.untilSaid("missions-count", "1 mission");
@@ -53,12 +44,6 @@ class KilledWindowTest {
                     .extracting(MissionSnapshot::title)
                     .asString()
                     .contains("Explore Area");
-        } finally {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(300, TimeUnit.SECONDS);
         }
     }
 

@@ -7,21 +7,18 @@ import static java.awt.event.KeyEvent.VK_ESCAPE;
 import static java.awt.event.KeyEvent.VK_N;
 import static java.awt.event.KeyEvent.VK_SPACE;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
-import java.awt.GraphicsEnvironment;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -30,7 +27,6 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.sami.boat.server.testing.Await;
-import org.sami.crw.gui.start.OperatorCommand;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.spn.value.GeoPoint;
@@ -38,7 +34,6 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.map.MapView;
-import picocli.CommandLine;
 
 /** Twenty boats that announce themselves are found, connected, checked and put in a mission; the presses are those that docs/clicks.md says. */
 @Tag("window")
@@ -61,8 +56,7 @@ class NearWindowTest {
     @TempDir
     private Path folder;
 
-    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
-    private final CompletableFuture<OperatorWindow> opened = new CompletableFuture<>();
+    private OpenedWindow opened;
     private AnnouncedFleet fleet;
     private WindowRobot robot;
     private OperatorWindow window;
@@ -71,38 +65,26 @@ class NearWindowTest {
 
     @BeforeEach
     void open() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         List<String> all = Stream.concat(NAMES.stream(), Stream.of(STRANGER)).toList();
         fleet = new AnnouncedFleet(all, folder.resolve("keys"), STRANGER);
         robot = new WindowRobot();
-        String[] args = {
-            "--near",
+        opened = OpenedWindow.byCommand(List.of("--near",
             "--network",
             "127.0.0.1",
             "--keys",
             folder.resolve("keys").toString(),
             "--data",
             folder.resolve("data").toString(),
-            "--no-resume"
-        };
-        int code = new CommandLine(new OperatorCommand(
-                        (options, data) -> opened.complete(WindowStart.open(options, data, ended::complete))))
-                .execute(args);
-        assertThat(code).isZero();
-        window = opened.get(300, TimeUnit.SECONDS);
+            "--no-resume"));
+window = opened.window();
     }
 
     @AfterEach
     void close() throws Exception {
         new BaseProtection(Optional.empty(), false).use();
-        if (window != null) {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(300, TimeUnit.SECONDS);
+        if (opened != null) {
+            opened.end();
         }
         if (fleet != null) {
             fleet.close();

@@ -11,7 +11,9 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.sami.crw.gui.start.DataDirectory;
+import org.sami.crw.gui.start.OperatorCommand;
 import org.sami.crw.gui.start.StartOptions;
+import picocli.CommandLine;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.palette.Theme;
@@ -48,6 +50,34 @@ public final class OpenedWindow implements AutoCloseable {
         return open(
                 new StartOptions(boats, project, Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(resume)),
                 data);
+    }
+
+    /** Opens one over the built-in fleet and Katara Beach, at the normal scale; it does not go on with a session. */
+    public static OpenedWindow onBuiltInFleet(Path data) throws IOException {
+        return over(List.of(), data);
+    }
+
+    /** Opens one over servers and Katara Beach, at the normal scale; it does not go on with a session. */
+    public static OpenedWindow over(List<BoatAddress> boats, Path data) throws IOException {
+        return open(boats, Optional.empty(), false, data);
+    }
+
+    /**
+     * Opens one as its command does.
+     *
+     * @param args of the command
+     * @throws AssertionError if the command ends otherwise than with 0
+     */
+    public static OpenedWindow byCommand(List<String> args) throws Exception {
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        CompletableFuture<OperatorWindow> opened = new CompletableFuture<>();
+        int code = new CommandLine(new OperatorCommand(
+                        (options, data) -> opened.complete(WindowStart.open(options, data, ended::complete))))
+                .execute(args.toArray(String[]::new));
+        if (code != 0) {
+            throw new AssertionError("the command ends with " + code);
+        }
+        return new OpenedWindow(ended, opened.get(WITHIN_S, TimeUnit.SECONDS));
     }
 
     /** Opens one as options say. */

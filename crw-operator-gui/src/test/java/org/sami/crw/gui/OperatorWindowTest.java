@@ -12,19 +12,15 @@ import static java.awt.event.KeyEvent.VK_SHIFT;
 import static java.awt.event.KeyEvent.VK_W;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowable;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -35,6 +31,7 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -46,7 +43,6 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.MissionSnapshot;
@@ -70,31 +66,24 @@ class OperatorWindowTest {
 
     private Path folder;
 
-    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
+    private OpenedWindow opened;
     private WindowRobot robot;
     private OperatorWindow window;
 
     @BeforeAll
     void open(@TempDir Path data) throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         folder = data;
         robot = new WindowRobot();
-        StartOptions options = new StartOptions(
-                List.of(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
-        window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
+        opened = OpenedWindow.onBuiltInFleet(folder);
+window = opened.window();
         robot.untilSaid("boats-count", "5 of 5");
     }
 
     @AfterAll
     void close() throws Exception {
         if (window != null) {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(300, TimeUnit.SECONDS);
+            opened.end();
         }
     }
 

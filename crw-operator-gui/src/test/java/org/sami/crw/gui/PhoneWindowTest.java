@@ -14,7 +14,6 @@ import com.google.zxing.RGBLuminanceSource;
 import com.google.zxing.ReaderException;
 import com.google.zxing.common.HybridBinarizer;
 import com.google.zxing.qrcode.QRCodeReader;
-import java.awt.GraphicsEnvironment;
 import java.awt.image.BufferedImage;
 import java.net.ConnectException;
 import java.net.Socket;
@@ -23,11 +22,11 @@ import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -47,14 +46,12 @@ import org.sami.boat.link.security.PairingCode;
 import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.link.security.SecureLink;
 import org.sami.boat.link.security.TlsLinks;
-import org.sami.crw.gui.start.OperatorCommand;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.proxy.phone.OwnNetwork;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.sheet.WindowSheet;
-import picocli.CommandLine;
 
 /** A phone scans the code that the window shows, and is paired by keys of the keyboard alone; nothing is served once the sheet is closed. */
 @Tag("window")
@@ -64,43 +61,30 @@ class PhoneWindowTest {
     @TempDir
     private Path folder;
 
-    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
-    private final CompletableFuture<OperatorWindow> opened = new CompletableFuture<>();
+    private OpenedWindow opened;
     private final Identity phone = Identity.generate();
     private WindowRobot robot;
     private OperatorWindow window;
 
     @BeforeEach
     void open() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         assumeFalse(OwnNetwork.all().isEmpty(), "this machine is in no network");
         robot = new WindowRobot();
-        String[] args = {
-            "--keys",
+        opened = OpenedWindow.byCommand(List.of("--keys",
             folder.resolve("keys").toString(),
             "--data",
             folder.resolve("data").toString(),
-            "--no-resume"
-        };
-        int code = new CommandLine(new OperatorCommand(
-                        (options, data) -> opened.complete(WindowStart.open(options, data, ended::complete))))
-                .execute(args);
-        assertThat(code).isZero();
-        window = opened.get(300, TimeUnit.SECONDS);
+            "--no-resume"));
+window = opened.window();
         robot.untilSaid("boats-count", "5 of 5");
     }
 
     @AfterEach
     void close() throws Exception {
         new BaseProtection(Optional.empty(), false).use();
-        if (window != null) {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(300, TimeUnit.SECONDS);
+        if (opened != null) {
+            opened.end();
         }
     }
 

@@ -1,26 +1,20 @@
 package org.sami.crw.gui;
 
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javax.swing.text.JTextComponent;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.operator.picture.PanoramaPictures;
 import org.sami.crw.session.Session;
-import org.sami.palette.Theme;
 import org.sami.spn.protocol.Answer;
 import org.sami.ui.check.WindowRobot;
 
@@ -36,21 +30,10 @@ class PicturesWindowTest {
 
     @Test
     void operatorLooksAtThePicturesOfABoatAndAnswersWhatTheyShow() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
-        StartOptions options = new StartOptions(
-                List.of(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
-        OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
-        try {
+        RealDisplay.assumed();
+        try (OpenedWindow opened = OpenedWindow.onBuiltInFleet(folder)) {
+OperatorWindow window = opened.window();
             look(window.session());
-        } finally {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(300, TimeUnit.SECONDS);
         }
     }
 

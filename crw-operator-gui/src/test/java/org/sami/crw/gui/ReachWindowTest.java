@@ -1,22 +1,18 @@
 package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Container;
-import java.awt.GraphicsEnvironment;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import javax.swing.JComponent;
 import javax.swing.JTabbedPane;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -24,10 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.TestInstance.Lifecycle;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
-import org.sami.palette.Theme;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Question;
@@ -55,7 +48,7 @@ class ReachWindowTest {
             "command-search",
             "mission-start-with");
 
-    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
+    private OpenedWindow opened;
     private final Set<String> unnamed = new TreeSet<>();
     private final Set<String> small = new TreeSet<>();
     private final Set<String> keepTab = new TreeSet<>();
@@ -64,13 +57,10 @@ class ReachWindowTest {
 
     @BeforeAll
     void openAndWalk(@TempDir Path folder) throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         robot = new WindowRobot();
-        StartOptions options = new StartOptions(
-                List.of(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
-        window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
+        opened = OpenedWindow.onBuiltInFleet(folder);
+window = opened.window();
         robot.untilSaid("boats-count", "5 of 5");
         WindowInMemory memory = new WindowInMemory(window);
         walk(memory);
@@ -142,11 +132,7 @@ class ReachWindowTest {
     @AfterAll
     void close() throws Exception {
         if (window != null) {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(300, TimeUnit.SECONDS);
+            opened.end();
         }
     }
 

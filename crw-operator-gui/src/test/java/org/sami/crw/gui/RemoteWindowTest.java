@@ -1,9 +1,7 @@
 package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.nio.file.Path;
 import java.time.LocalTime;
 import java.util.List;
@@ -12,6 +10,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -64,9 +63,7 @@ class RemoteWindowTest {
 
     @Test
     void showsTheSessionAnswersStopsAndSaysWhenTheServerIsGone() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         DomainLibrary library =
                 DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
         Project project = new ProjectReader(library.vocabulary()).read(PROJECT).orThrow();

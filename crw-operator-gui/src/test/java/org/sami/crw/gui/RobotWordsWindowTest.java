@@ -1,9 +1,7 @@
 package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.awt.Window;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
@@ -16,6 +14,7 @@ import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -71,9 +70,7 @@ class RobotWordsWindowTest {
     }
 
     private void walk(String domain, String linked, String one, String plan) throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         StartOptions options = new StartOptions(
                 List.of(),
                 Optional.empty(),

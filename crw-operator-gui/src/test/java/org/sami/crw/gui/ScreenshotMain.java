@@ -6,16 +6,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import javax.imageio.ImageIO;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.DefaultAnswers;
 import org.sami.crw.decision.SimulatedOperator;
-import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.status.LinkState;
@@ -57,11 +53,9 @@ final class ScreenshotMain {
     }
 
     private void run(Path data) throws Exception {
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
         LoopbackFleet boats = new LoopbackFleet(NAMES);
-        StartOptions options = new StartOptions(
-                boats.addresses(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
-        window = WindowStart.open(options, DataDirectory.open(data), ended::complete);
+        OpenedWindow opened = OpenedWindow.over(boats.addresses(), data);
+window = opened.window();
         robot.untilSaid("boats-count", "5 of 5");
         robot.clickRow("plans-table", "Connect Boat");
         robot.click("mission-start");
@@ -103,11 +97,7 @@ final class ScreenshotMain {
         trouble.links();
         trouble.fleetStop();
         trouble.journal();
-        WindowRobot.ask(() -> {
-            window.end();
-            return null;
-        });
-        ended.get(300, TimeUnit.SECONDS);
+        opened.end();
     }
 
     private void answer() {

@@ -1,7 +1,6 @@
 package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
 import java.awt.GraphicsEnvironment;
@@ -9,16 +8,10 @@ import java.awt.Rectangle;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.gui.start.StartOptions;
-import org.sami.crw.gui.window.OperatorWindow;
-import org.sami.palette.Theme;
 import org.sami.ui.check.WindowRobot;
 
 /** A window that was left on a large screen is begun again on a smaller one. */
@@ -31,9 +24,7 @@ class SmallerScreenWindowTest {
 
     @Test
     void fleetStopIsInSightWhereTheWindowWasLeftOnALargerScreen() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         Path arrangement = folder.resolve("arrangement.xml");
         try (LoopbackFleet fleet = new LoopbackFleet(List.of("anna"))) {
             withWindow(fleet, () -> robot.until("the arrangement is kept", () -> Files.exists(arrangement)));
@@ -55,19 +46,9 @@ class SmallerScreenWindowTest {
     }
 
     private void withWindow(LoopbackFleet fleet, Runnable look) throws Exception {
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
-        StartOptions options = new StartOptions(
-                fleet.addresses(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
-        OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
-        try {
+        try (OpenedWindow opened = OpenedWindow.over(fleet.addresses(), folder)) {
             robot.untilSaid("boats-count", "1 of 1");
             look.run();
-        } finally {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(300, TimeUnit.SECONDS);
         }
     }
 }

@@ -1,18 +1,14 @@
 package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Dimension;
-import java.awt.GraphicsEnvironment;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -20,8 +16,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.TestInstance.Lifecycle;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.palette.Theme;
@@ -39,19 +33,16 @@ class TextWindowTest {
     private static final List<Priority> PRIORITIES = List.of(Priority.values());
     private static final List<Dimension> SIZES = List.of(new Dimension(1280, 800), new Dimension(1600, 1000));
 
-    private final CompletableFuture<Integer> ended = new CompletableFuture<>();
+    private OpenedWindow opened;
     private LoopbackFleet fleet;
     private OperatorWindow window;
 
     @BeforeAll
     void open(@TempDir Path data) throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
+        RealDisplay.assumed();
         fleet = new LoopbackFleet(NAMES);
-        StartOptions options = new StartOptions(
-                fleet.addresses(), Optional.empty(), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
-        window = WindowStart.open(options, DataDirectory.open(data), ended::complete);
+        opened = OpenedWindow.over(fleet.addresses(), data);
+window = opened.window();
         WindowRobot robot = new WindowRobot();
         robot.untilSaid("boats-count", "5 of 5");
         window.session().start("explore-team", "Explore the western bay", Map.of());
@@ -82,11 +73,7 @@ class TextWindowTest {
     @AfterAll
     void close() throws Exception {
         if (window != null) {
-            WindowRobot.ask(() -> {
-                window.end();
-                return null;
-            });
-            ended.get(300, TimeUnit.SECONDS);
+            opened.end();
         }
         if (fleet != null) {
             fleet.close();

@@ -1,21 +1,17 @@
 package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
+import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.palette.Theme;
@@ -33,10 +29,7 @@ class UnseenDecisionWindowTest {
 
     @Test
     void aDecisionBehindAnotherPanelIsSaidAtTheTopAndTakesNoFocus() throws Exception {
-        assumeFalse(
-                GraphicsEnvironment.isHeadless(),
-                () -> "there is no display; get one by: " + System.getProperty("window.install"));
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        RealDisplay.assumed();
         try (LoopbackFleet fleet = new LoopbackFleet(List.of("anna", "bert", "carl"))) {
             StartOptions options = new StartOptions(
                     fleet.addresses(),
@@ -44,8 +37,8 @@ class UnseenDecisionWindowTest {
                     Optional.of(Theme.LIGHT),
                     Optional.of(200),
                     Optional.of(false));
-            OperatorWindow window = WindowStart.open(options, DataDirectory.open(folder), ended::complete);
-            try {
+            try (OpenedWindow opened = OpenedWindow.open(options, folder)) {
+OperatorWindow window = opened.window();
                 WindowRobot.ask(() -> {
                     window.frame().setSize(1280, 800);
                     window.frame().validate();
@@ -71,12 +64,6 @@ class UnseenDecisionWindowTest {
                 robot.untilFocused("boats-table");
                 robot.untilShown("decision-unseen");
                 robot.untilFocused("boats-table");
-            } finally {
-                WindowRobot.ask(() -> {
-                    window.end();
-                    return null;
-                });
-                ended.get(300, TimeUnit.SECONDS);
             }
         }
     }
