@@ -1,11 +1,12 @@
 #!/bin/bash
 # Runs failed tests of real time a second time, by themselves, after everything else: a machine that stands still for a minute fails a few of them.
 # Only tests of these tasks, and at most five of them; what fails in another task, or fails twice, has failed (CONTRIBUTING.md).
-# Usage: tools/second-attempt.sh [FOLDER]   (the project's root unless given), after `./gradlew test`
+# Usage: tools/second-attempt.sh [FOLDER]   (the project's root unless given), after `./gradlew check`
 # Exit code 0 if all of them passed now; build/test-summary.txt then counts them as passed and names them. Otherwise it stays as it was.
 set -u
-real_time=':boat-server-android:server:test :crw-cli:processTest :crw-mavlink:test :crw-operator-gui:test :crw-operator-gui:windowTest
-    :crw-session:test :crw-sim:test :dreamm-ide:windowTest :journal-postgres:test :mavlink:test :session-client:test :session-server:test'
+real_time=':boat-server-android:server:test :crw-cli:processTest :crw-mavlink:longTest :crw-mavlink:test :crw-operator-gui:longTest
+    :crw-operator-gui:test :crw-operator-gui:windowTest :crw-session:test :crw-sim:longTest :crw-sim:test :dreamm-ide:windowTest
+    :journal-postgres:longTest :journal-postgres:test :mavlink:test :session-client:test :session-server:test'
 most=5
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}" || exit 2
 summary=build/test-summary.txt

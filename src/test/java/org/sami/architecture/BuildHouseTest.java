@@ -54,11 +54,11 @@ class BuildHouseTest {
     @Test
     void gradleIsNotMadeOfAFileThatIsNotTheListedOne(@TempDir Path folder) throws Exception {
         Path maven = Files.writeString(folder.resolve("mvn"), """
-                #!/bin/bash
-                for a in "$@"; do case $a in -DoutputDirectory=*) out=${a#*=};; esac; done
-                mkdir -p "$out"
-                while read -r sum file; do echo other > "$out/$file"; done < tools/gradle-artifacts.sha256
-                """);
+            #!/bin/bash
+            for a in "$@"; do case $a in -DoutputDirectory=*) out=${a#*=};; esac; done
+            mkdir -p "$out"
+            while read -r sum file; do echo other > "$out/$file"; done < tools/gradle-artifacts.sha256
+            """);
         assertThat(maven.toFile().setExecutable(true)).isTrue();
         ProcessBuilder making = new ProcessBuilder("bash", "tools/bootstrap-gradle.sh").redirectErrorStream(true);
         making.environment().put("GRADLE_USER_HOME", folder.resolve("home").toString());
@@ -125,21 +125,37 @@ class BuildHouseTest {
     }
 
     @Test
-    void testOfTheWholeRunsTheTasksOfOtherNames() throws IOException {
+    void checkRunsTheTestsThatAreTasksOfOtherNames() throws IOException {
         List<String> others = new ArrayList<>();
         for (Path file : buildFiles()) {
+            String text = Files.readString(file);
             Matcher tasks =
-                    Pattern.compile("tasks\\.register\\('(\\w+)', Test\\)").matcher(Files.readString(file));
+                    Pattern.compile("tasks\\.register\\('(\\w+)', Test\\)").matcher(text);
             while (tasks.find()) {
                 others.add(tasks.group(1));
+                String task = file.equals(Path.of("build.gradle")) ? "test" : "check";
+                assertThat(text)
+                        .as(file.toString())
+                        .containsPattern("tasks\\.named\\('" + task + "'\\) \\{[^}]*dependsOn " + tasks.group(1));
             }
         }
-        Matcher gathered = Pattern.compile("tasks\\.named\\('test'\\) \\{[^}]*dependsOn ([^}]*)}")
-                .matcher(Files.readString(Path.of("build.gradle")));
 
-        assertThat(others).containsExactlyInAnyOrder("architectureTest", "processTest", "windowTest");
-        assertThat(gathered.find()).isTrue();
-        assertThat(gathered.group(1)).contains(others);
+        assertThat(others).containsExactlyInAnyOrder("architectureTest", "longTest", "processTest", "windowTest");
+    }
+
+    @Test
+    void modulesWithLongTestsRunThem() throws IOException {
+        for (SamiModule module : SamiModule.built().toList()) {
+            boolean hasLongTests = false;
+            for (Path source : module.testSources()) {
+                hasLongTests |= Files.readString(source).contains("\n@Tag(\"long\")\n");
+            }
+
+            assertThat(Files.readString(Path.of(module.toString(), "build.gradle"))
+                            .contains("id 'sami.long-tests'"))
+                    .as(module.toString())
+                    .isEqualTo(hasLongTests);
+        }
     }
 
     /** Who logs where is for an application to say; a library that brings a binding says it for all. */

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.json.ProjectReader;
@@ -33,6 +34,7 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Whatever happens to a file, reading it gives the whole or nothing, findings, and never an exception. */
+@Tag("long")
 class DamagedFilesTest {
     private static final int ROUNDS = 4_000;
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -25,6 +26,7 @@ import org.sami.spn.statespace.SearchWatch;
 import org.sami.spn.stepping.Stepper;
 
 /** Panoramas by robot, asynchronous and synchronous, as authors draw them: the right ones have no finding, each wrong one has its own. */
+@Tag("long")
 class DeepChecksOfPanoramasTest {
     private static final int STATES = 1_500;
 

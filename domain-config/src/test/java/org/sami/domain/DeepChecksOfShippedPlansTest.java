@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.spn.finding.Severity;
@@ -15,6 +16,7 @@ import org.sami.spn.statespace.DeepResult;
 import org.sami.spn.statespace.SearchWatch;
 
 /** Deep checks run on every plan that ships and find nothing wrong: each of these plans was read and run. */
+@Tag("long")
 class DeepChecksOfShippedPlansTest {
     private static final int STATES = 400;
 

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,6 +27,7 @@ import org.sami.spn.legacy.LegacyTableReader;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** Exports that are cut, bent or made to do harm: an error that says where, or a project that is whole. */
+@Tag("long")
 class LegacyDamageTest {
     private static final Vocabulary VOCABULARY =
             VocabularyReader.fromClassPath("/org/sami/domain/crw").orThrow();
@@ -37,33 +39,33 @@ class LegacyDamageTest {
 
     /** Of each kind of thing one. */
     private static final String WHOLE = """
-            {"format": "sami-legacy-project", "version": 1,
-             "globalVariables": [{"name": "@home", "class": "sami.path.Location",
-               "value": {"type": "location", "lat": 25.3, "lon": 51.5, "alt": 0.0}}],
-             "missionTree": {"label": "Plays", "children": [{"plan": "p1", "children": []}, {"plan": "p2"}]},
-             "plans": [
-              {"id": "p1", "name": "Parent", "role": "root", "parentPlan": null, "inMissionTree": true,
-               "tasks": [{"name": "t", "class": "crw.task.Visit"}],
-               "vertices": [
-                {"key": "v1", "type": "place", "name": "Begin", "mode": "Nominal", "x": 10.0, "y": 20.0, "isStart": true,
-                 "outTransitionOrder": ["v2"],
-                 "events": [{"key": "v1.e0", "class": "crw.event.output.ui.DisplayMessage", "direction": "output",
-                   "locked": false, "fieldValues": {"message": {"type": "string", "value": "Hello"}},
-                   "editable": {"message": false}, "markups": [
-                    {"class": "sami.markup.Priority", "options": {"ranking": "HIGH"}, "parameters": {}}]}],
-                 "subMissions": [{"plan": "p2", "planName": "a.Child", "instanceMode": "dynamic", "taskMap": []}]},
-                {"key": "v2", "type": "transition", "mode": "Recovery", "inPlaceOrder": ["v1"], "outPlaceOrder": ["v3"],
-                 "events": [{"key": "v2.e0", "class": "sami.event.TimerExpired", "direction": "input"}]},
-                {"key": "v3", "type": "place", "isEnd": true}],
-               "edges": [
-                {"key": "e1", "type": "in", "from": "v1", "to": "v2", "requirements": [
-                  {"kind": "Generic", "match": "GreaterThanEqualTo", "quantity": 1}]},
-                {"key": "e2", "type": "out", "from": "v2", "to": "v3", "requirements": [
-                  {"kind": "AnyProxy", "match": "All", "action": "Take"}]}]},
-              {"id": "p2", "name": "a.Child", "role": "sub-mission-instance", "parentPlan": "p1",
-               "vertices": [{"key": "v1", "type": "place", "isStart": true, "isEnd": true}], "edges": []}],
-             "notes": []}
-            """;
+        {"format": "sami-legacy-project", "version": 1,
+         "globalVariables": [{"name": "@home", "class": "sami.path.Location",
+           "value": {"type": "location", "lat": 25.3, "lon": 51.5, "alt": 0.0}}],
+         "missionTree": {"label": "Plays", "children": [{"plan": "p1", "children": []}, {"plan": "p2"}]},
+         "plans": [
+          {"id": "p1", "name": "Parent", "role": "root", "parentPlan": null, "inMissionTree": true,
+           "tasks": [{"name": "t", "class": "crw.task.Visit"}],
+           "vertices": [
+            {"key": "v1", "type": "place", "name": "Begin", "mode": "Nominal", "x": 10.0, "y": 20.0, "isStart": true,
+             "outTransitionOrder": ["v2"],
+             "events": [{"key": "v1.e0", "class": "crw.event.output.ui.DisplayMessage", "direction": "output",
+               "locked": false, "fieldValues": {"message": {"type": "string", "value": "Hello"}},
+               "editable": {"message": false}, "markups": [
+                {"class": "sami.markup.Priority", "options": {"ranking": "HIGH"}, "parameters": {}}]}],
+             "subMissions": [{"plan": "p2", "planName": "a.Child", "instanceMode": "dynamic", "taskMap": []}]},
+            {"key": "v2", "type": "transition", "mode": "Recovery", "inPlaceOrder": ["v1"], "outPlaceOrder": ["v3"],
+             "events": [{"key": "v2.e0", "class": "sami.event.TimerExpired", "direction": "input"}]},
+            {"key": "v3", "type": "place", "isEnd": true}],
+           "edges": [
+            {"key": "e1", "type": "in", "from": "v1", "to": "v2", "requirements": [
+              {"kind": "Generic", "match": "GreaterThanEqualTo", "quantity": 1}]},
+            {"key": "e2", "type": "out", "from": "v2", "to": "v3", "requirements": [
+              {"kind": "AnyProxy", "match": "All", "action": "Take"}]}]},
+          {"id": "p2", "name": "a.Child", "role": "sub-mission-instance", "parentPlan": "p1",
+           "vertices": [{"key": "v1", "type": "place", "isStart": true, "isEnd": true}], "edges": []}],
+         "notes": []}
+        """;
 
     private static LegacyImport.Result read(String text) {
         return IMPORT.read(text, "damaged");

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.spn.analysis.LiveChecks;
@@ -26,6 +27,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.testing.RandomEdits;
 
 /** Whatever is edited in the shipped plans, the project can be saved and opened, and every edit can be taken back. */
+@Tag("long")
 class RandomEditsTest {
     private static final DomainLibrary LIBRARY =
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();

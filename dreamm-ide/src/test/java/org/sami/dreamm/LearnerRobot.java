@@ -1,6 +1,5 @@
 package org.sami.dreamm;
 
-
 import java.awt.Component;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
@@ -9,7 +8,6 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import org.sami.ui.check.RealDisplay;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
@@ -20,6 +18,7 @@ import org.sami.dreamm.start.LearnOptions;
 import org.sami.dreamm.window.DreammWindow;
 import org.sami.lessons.course.CourseFiles;
 import org.sami.palette.Theme;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.net.NetView;
 import org.sami.ui.value.WrappedText;

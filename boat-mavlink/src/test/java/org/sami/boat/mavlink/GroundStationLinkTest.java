@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.boat.link.BoatMode;
@@ -32,6 +33,7 @@ import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /** A boat of ours and a ground station, which is the base of the module mavlink, over UDP. */
+@Tag("long")
 @Timeout(900)
 class GroundStationLinkTest {
     private static final VehicleId BOAT = new VehicleId(7, 1);

@@ -12,12 +12,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** What {@code crw check} says of an author's mistakes: where they stand, about what, and what may have been meant. */
+@Tag("long")
 class CheckCommandTest {
     private static final Path CLV = Path.of("../domain-config/src/main/resources/org/sami/domain/crw/plans/clv.json");
     private static final Path UAV = Path.of("../domain-config/src/main/resources/org/sami/domain/uav");

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,6 +25,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.model.VariableSpec;
 
 /** The command {@code crw experiment}. */
+@Tag("long")
 class ExperimentCommandTest {
     @TempDir
     Path folder;
@@ -114,14 +116,15 @@ class ExperimentCommandTest {
     @Test
     void missionsOfAFileRunWithFilesBesideIt() throws Exception {
         Files.writeString(folder.resolve("none.json"), """
-                {"format": "crw-answers", "version": 1, "rules": [
-                 {"event": "OperatorCreateLocations", "answer": {"values": {"locations": []}}}]}""");
+            {"format": "crw-answers", "version": 1, "rules": [
+             {"event": "OperatorCreateLocations", "answer": {"values": {"locations": []}}}]}\
+            """);
         Path runs = Files.writeString(folder.resolve("my.runs"), """
-                # two missions of one plan
+            # two missions of one plan
 
-                panorama --label nowhere --answers none.json
-                clv --area 100 --locations 2 --for 20   # too short
-                """);
+            panorama --label nowhere --answers none.json
+            clv --area 100 --locations 2 --for 20   # too short
+            """);
 
         CommandResult ran =
                 crw("experiment", "--runs", runs.toString(), "--seeds", "1", "--conditions", "calm", "--jobs", "2");
@@ -144,7 +147,8 @@ class ExperimentCommandTest {
                 "--boats 3                | my.runs:2: Missing required parameter: 'PLAN|FILE'",
                 "clv --answers none.json  | my.runs:2: --answers: cannot read none.json",
                 "clv --interrupt 'x@5     | my.runs:2: a quote ' is not closed",
-                "clv                      | my.runs:2: line 1 is called 'clv' already; give one of the two another name with --label"
+                "clv                      | my.runs:2: line 1 is called 'clv' already; give one of the two another"
+                        + " name with --label"
             },
             quoteCharacter = '"')
     void lineThatMakesNoSenseIsNamed(String line, String told) throws Exception {

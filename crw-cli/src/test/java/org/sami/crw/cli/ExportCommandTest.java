@@ -8,10 +8,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What is in a journal, for other programs. */
+@Tag("long")
 class ExportCommandTest {
     @TempDir
     private Path folder;
@@ -27,18 +29,18 @@ class ExportCommandTest {
     @Test
     void journalOfASessionBecomesTablesAndAMap() throws Exception {
         Files.writeString(folder.resolve("script"), """
-                add sim 45.4,10.9
-                wait boats 1 within 120
-                start clv
-                wait decision
-                answer all
-                wait decision
-                answer 45.4001,10.9001;45.40012,10.9001
-                wait decision
-                answer 1
-                wait ended within 120
-                quit
-                """);
+            add sim 45.4,10.9
+            wait boats 1 within 120
+            start clv
+            wait decision
+            answer all
+            wait decision
+            answer 45.4001,10.9001;45.40012,10.9001
+            wait decision
+            answer 1
+            wait ended within 120
+            quit
+            """);
         CommandResult session = CommandResult.crw("session", "--journal", path("journal"), "--script", path("script"));
         assertThat(session.exitCode()).as(session.out()).isZero();
 

@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.UUID;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.boat.server.testing.Await;
 
 /** {@code crw find} and {@code crw boat --announce} on loopback, where others may announce boats as well. */
+@Tag("long")
 @Timeout(900)
 class FindCommandTest {
     private static final String[] LOOPBACK = {"find", "--network", "127.0.0.1", "--within", "5"};

@@ -8,25 +8,27 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+@Tag("long")
 class ImportLegacyCommandTest {
     /** A plan that greets the operator and ends; its edges have no requirements, as some field plans' have not. */
     private static final String SMALL = """
-            {"format": "sami-legacy-project", "version": 1, "plans": [
-              {"id": "p1", "name": "Greeting", "role": "root",
-               "vertices": [
-                {"key": "v1", "type": "place", "isStart": true, "events": [
-                  {"key": "v1.e0", "class": "crw.event.output.ui.DisplayMessage", "direction": "output",
-                   "fieldValues": {"message": {"type": "string", "value": "Hello"}}, "editable": {"message": false}}]},
-                {"key": "v2", "type": "transition"},
-                {"key": "v3", "type": "place", "isEnd": true}],
-               "edges": [
-                {"key": "e1", "type": "in", "from": "v1", "to": "v2", "requirements": []},
-                {"key": "e2", "type": "out", "from": "v2", "to": "v3", "requirements": []}]},
-              {"id": "p2", "name": "--- HEADING ---", "role": "root", "vertices": [], "edges": []}]}
-            """;
+        {"format": "sami-legacy-project", "version": 1, "plans": [
+          {"id": "p1", "name": "Greeting", "role": "root",
+           "vertices": [
+            {"key": "v1", "type": "place", "isStart": true, "events": [
+              {"key": "v1.e0", "class": "crw.event.output.ui.DisplayMessage", "direction": "output",
+               "fieldValues": {"message": {"type": "string", "value": "Hello"}}, "editable": {"message": false}}]},
+            {"key": "v2", "type": "transition"},
+            {"key": "v3", "type": "place", "isEnd": true}],
+           "edges": [
+            {"key": "e1", "type": "in", "from": "v1", "to": "v2", "requirements": []},
+            {"key": "e2", "type": "out", "from": "v2", "to": "v3", "requirements": []}]},
+          {"id": "p2", "name": "--- HEADING ---", "role": "root", "vertices": [], "edges": []}]}
+        """;
 
     @TempDir
     Path folder;
@@ -159,38 +161,38 @@ class ImportLegacyCommandTest {
 
     /** A plan that connects a boat, one that asks where to go and waits to be interrupted, and one without a start. */
     private static final String TO_RUN = """
-            {"format": "sami-legacy-project", "version": 1, "plans": [
-              {"id": "p1", "name": "Connect RED", "role": "root",
-               "vertices": [
-                {"key": "v1", "type": "place", "isStart": true, "events": [
-                  {"key": "v1.e0", "class": "crw.event.output.proxy.ConnectExistingProxy", "direction": "output",
-                   "fieldValues": {"name": {"type": "string", "value": "RED"},
-                    "color": {"type": "color", "value": "#f40000"},
-                    "server": {"type": "string", "value": "192.168.1.105:11411"}}}]},
-                {"key": "v2", "type": "transition", "events": [
-                  {"key": "v2.e0", "class": "crw.event.input.proxy.ProxyCreated", "direction": "input"}]},
-                {"key": "v3", "type": "place", "isEnd": true}],
-               "edges": [
-                {"key": "e1", "type": "in", "from": "v1", "to": "v2", "requirements": [
-                  {"kind": "Generic", "match": "GreaterThanEqualTo", "quantity": 1}]},
-                {"key": "e2", "type": "out", "from": "v2", "to": "v3", "requirements": [
-                  {"kind": "RelevantToken", "match": "All", "action": "Add"}]}]},
-              {"id": "p2", "name": "Stay", "role": "root",
-               "vertices": [
-                {"key": "v1", "type": "place", "isStart": true, "name": "Idle"},
-                {"key": "v2", "type": "transition", "events": [
-                  {"key": "v2.e0", "class": "sami.event.OperatorInterruptReceived", "direction": "input",
-                   "fieldValues": {"interruptName": {"type": "string", "value": "Greet"}}}]},
-                {"key": "v3", "type": "place", "name": "Greeted", "events": [
-                  {"key": "v3.e0", "class": "crw.event.output.ui.DisplayMessage", "direction": "output",
-                   "fieldValues": {"message": {"type": "string", "value": "Hello"}}}]}],
-               "edges": [
-                {"key": "e1", "type": "in", "from": "v1", "to": "v2", "requirements": [
-                  {"kind": "Generic", "match": "GreaterThanEqualTo", "quantity": 1}]},
-                {"key": "e2", "type": "out", "from": "v2", "to": "v3", "requirements": [
-                  {"kind": "Generic", "match": "Number", "quantity": 1, "action": "Add"}]}]},
-              {"id": "p3", "name": "HEADING", "role": "root", "vertices": [], "edges": []}]}
-            """;
+        {"format": "sami-legacy-project", "version": 1, "plans": [
+          {"id": "p1", "name": "Connect RED", "role": "root",
+           "vertices": [
+            {"key": "v1", "type": "place", "isStart": true, "events": [
+              {"key": "v1.e0", "class": "crw.event.output.proxy.ConnectExistingProxy", "direction": "output",
+               "fieldValues": {"name": {"type": "string", "value": "RED"},
+                "color": {"type": "color", "value": "#f40000"},
+                "server": {"type": "string", "value": "192.168.1.105:11411"}}}]},
+            {"key": "v2", "type": "transition", "events": [
+              {"key": "v2.e0", "class": "crw.event.input.proxy.ProxyCreated", "direction": "input"}]},
+            {"key": "v3", "type": "place", "isEnd": true}],
+           "edges": [
+            {"key": "e1", "type": "in", "from": "v1", "to": "v2", "requirements": [
+              {"kind": "Generic", "match": "GreaterThanEqualTo", "quantity": 1}]},
+            {"key": "e2", "type": "out", "from": "v2", "to": "v3", "requirements": [
+              {"kind": "RelevantToken", "match": "All", "action": "Add"}]}]},
+          {"id": "p2", "name": "Stay", "role": "root",
+           "vertices": [
+            {"key": "v1", "type": "place", "isStart": true, "name": "Idle"},
+            {"key": "v2", "type": "transition", "events": [
+              {"key": "v2.e0", "class": "sami.event.OperatorInterruptReceived", "direction": "input",
+               "fieldValues": {"interruptName": {"type": "string", "value": "Greet"}}}]},
+            {"key": "v3", "type": "place", "name": "Greeted", "events": [
+              {"key": "v3.e0", "class": "crw.event.output.ui.DisplayMessage", "direction": "output",
+               "fieldValues": {"message": {"type": "string", "value": "Hello"}}}]}],
+           "edges": [
+            {"key": "e1", "type": "in", "from": "v1", "to": "v2", "requirements": [
+              {"kind": "Generic", "match": "GreaterThanEqualTo", "quantity": 1}]},
+            {"key": "e2", "type": "out", "from": "v2", "to": "v3", "requirements": [
+              {"kind": "Generic", "match": "Number", "quantity": 1, "action": "Add"}]}]},
+          {"id": "p3", "name": "HEADING", "role": "root", "vertices": [], "edges": []}]}
+        """;
 
     private JsonNode tried(String seed, String out) throws IOException {
         CommandResult ran = CommandResult.crw(
@@ -243,8 +245,8 @@ class ImportLegacyCommandTest {
         assertThat(ran.out())
                 .containsPattern("192.168.1.105:11411 +RED")
                 .containsPattern("p1 +Connect RED +ended .* 1 +0 +")
-                .contains(
-                        "p2 (Stay) waits in 'Idle' (generic, boat1, boat2, boat3) for OperatorInterruptReceived 'Greet'")
+                .contains("p2 (Stay) waits in 'Idle' (generic, boat1, boat2, boat3) for OperatorInterruptReceived"
+                        + " 'Greet'")
                 .contains("2 of 2 plans tried: 1 ended, 1 running; no engine error, no livelock, no event");
         assertThat(ran.err()).contains("plan 1 of 2: Connect RED");
     }

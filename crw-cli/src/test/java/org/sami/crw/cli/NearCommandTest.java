@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,6 +29,7 @@ import org.sami.crw.proxy.tcp.BaseProtection;
  * {@code --near} of {@code crw run} and {@code crw session}, with boats that announce themselves on loopback by real multicast. Boats that others announce there
  * are left out, as this base has none of their keys.
  */
+@Tag("long")
 @Timeout(600)
 @Isolated("what --keys says holds for the whole process")
 class NearCommandTest {

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.SteadyClock;
@@ -21,6 +22,7 @@ import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.spn.value.GeoPoint;
 
 /** {@code crw session} as its user has it: a script of commands, real boats behind real sockets on the loopback address. */
+@Tag("long")
 class SessionCommandTest {
     private static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
     private static final String NEAR = "45.40003,10.90003"; // 4 m from the pier

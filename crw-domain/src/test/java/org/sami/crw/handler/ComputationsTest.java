@@ -9,6 +9,7 @@ import java.util.Random;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.handler.planning.CrwServices;
@@ -31,6 +32,7 @@ import org.sami.spn.value.RealValue;
 import org.sami.spn.value.Value;
 
 /** What services compute in a session in real time: boats live on meanwhile, and nobody computes for what is over. */
+@Tag("long")
 @Timeout(900)
 class ComputationsTest {
     private final ScriptedEngine engine = new ScriptedEngine(TestWorld.VOCABULARY);

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,6 +22,7 @@ import org.sami.mavlink.testing.ArduPilotBoats;
 import org.sami.mavlink.testing.SimulatorTruth;
 
 /** The real firmware of a copter under a base's commands; where it truly was, its simulator says. */
+@Tag("long")
 @Timeout(900)
 class ArduPilotCopterTest {
     private static final int NUMBER = 92;

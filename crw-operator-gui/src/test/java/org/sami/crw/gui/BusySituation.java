@@ -59,7 +59,7 @@ public final class BusySituation implements AutoCloseable {
         StartOptions options = new StartOptions(
                 fleet.addresses(), Optional.of(project), Optional.of(theme), Optional.of(percent), Optional.of(false));
         opened = OpenedWindow.open(options, folder.resolve("data"));
-window = opened.window();
+        window = opened.window();
         try {
             fill();
         } catch (Exception | Error fault) {

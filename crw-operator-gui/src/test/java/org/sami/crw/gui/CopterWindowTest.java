@@ -8,12 +8,12 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JTable;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.palette.Theme;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 
 /** The operator's window on the second domain: five simulated copters, the aircraft's plans, and their words on its panels and commands. */

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.JTable;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,6 +21,7 @@ import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TaskId;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 
 /** A task is dragged to another boat in the real window. */
@@ -47,7 +47,7 @@ class DragWindowTest {
         StartOptions options = new StartOptions(
                 List.of(), Optional.of(project), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
         try (OpenedWindow opened = OpenedWindow.open(options, folder)) {
-OperatorWindow window = opened.window();
+            OperatorWindow window = opened.window();
             WindowRobot robot = new WindowRobot();
             robot.untilSaid("boats-count", "5 of 5");
             DividedTasks.of(window.session(), LOCATIONS);

@@ -11,7 +11,6 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.regex.Pattern;
 import javax.swing.JLabel;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,6 +19,7 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.spn.protocol.Priority;
 import org.sami.ui.check.Layout;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.Look;
@@ -41,7 +41,7 @@ class EmptyPanelsWindowTest {
         RealDisplay.assumed();
         try (LoopbackFleet fleet = new LoopbackFleet(List.of("anna", "bert"))) {
             try (OpenedWindow opened = OpenedWindow.over(fleet.addresses(), folder)) {
-window = opened.window();
+                window = opened.window();
                 robot.untilSaid("boats-count", "2 of 2");
                 robot.until("the plans have the room", () -> height("decisions") < Look.px(130));
                 robot.until("interrupts gave theirs away", () -> height("interrupts") < Look.px(130));

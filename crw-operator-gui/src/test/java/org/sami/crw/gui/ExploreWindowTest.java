@@ -16,7 +16,6 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,6 +25,7 @@ import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.spn.protocol.Outcome;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.Layout;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.map.MapView;
@@ -50,7 +50,7 @@ class ExploreWindowTest {
     void aDrawnAreaIsExploredByTheChosenBoatsUntilTheMissionIsCompleted() throws Exception {
         RealDisplay.assumed();
         try (OpenedWindow opened = OpenedWindow.onBuiltInFleet(folder)) {
-OperatorWindow window = opened.window();
+            OperatorWindow window = opened.window();
             explore(new WindowRobot(), window);
         }
     }

@@ -25,7 +25,6 @@ import java.util.Map;
 import javax.swing.JMenu;
 import javax.swing.JRootPane;
 import javax.swing.JTextArea;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -39,6 +38,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.palette.Theme;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
 
@@ -57,7 +57,7 @@ class FleetStopReachWindowTest {
         folder = data;
         robot = new WindowRobot();
         opened = OpenedWindow.onBuiltInFleet(data);
-window = opened.window();
+        window = opened.window();
         robot.untilSaid("boats-count", "5 of 5");
     }
 

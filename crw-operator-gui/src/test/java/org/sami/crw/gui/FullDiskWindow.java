@@ -26,7 +26,7 @@ public final class FullDiskWindow {
      */
     public static void main(String[] args) throws Exception {
         OpenedWindow opened = OpenedWindow.onBuiltInFleet(Path.of(args[0]));
-OperatorWindow window = opened.window();
+        OperatorWindow window = opened.window();
         WindowRobot robot = new WindowRobot();
         robot.untilSaid("boats-count", "5 of 5");
         for (int i = 0; i < MOST_MISSIONS && isWell(window); i++) {

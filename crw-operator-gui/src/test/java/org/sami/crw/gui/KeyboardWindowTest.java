@@ -16,7 +16,6 @@ import java.awt.Component;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,6 +26,7 @@ import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.palette.Theme;
 import org.sami.spn.protocol.Outcome;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 
 /** A mission with boats that are processes, by keys alone: drawn, interrupted, with a boat's server killed and started again, completed. */
@@ -51,7 +51,7 @@ class KeyboardWindowTest {
                     Optional.of(100),
                     Optional.of(false));
             try (OpenedWindow opened = OpenedWindow.open(options, folder.resolve("data"))) {
-OperatorWindow window = opened.window();
+                OperatorWindow window = opened.window();
                 WindowRobot robot = new WindowRobot();
                 robot.untilSaid("boats-count", "3 of 3");
                 explore(robot, window);

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -13,6 +12,7 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.testing.JavaProcess;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 
 /** The window dies in the middle of a mission, and another one goes on with what it left. */
@@ -27,7 +27,7 @@ class KilledWindowTest {
         killOneInAMission();
 
         try (OpenedWindow opened = OpenedWindow.open(KilledWindow.options(true), folder)) {
-OperatorWindow window = opened.window();
+            OperatorWindow window = opened.window();
             WindowRobot robot = new WindowRobot();
             robot.untilSaid("boats-count", "5 of 5");
             robot.untilSaid("missions-count", "1 mission");

@@ -18,7 +18,6 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -31,6 +30,7 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.spn.value.GeoPoint;
 import org.sami.ui.check.Layout;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.geo.MapFrame;
 import org.sami.ui.map.MapView;
@@ -69,15 +69,16 @@ class NearWindowTest {
         List<String> all = Stream.concat(NAMES.stream(), Stream.of(STRANGER)).toList();
         fleet = new AnnouncedFleet(all, folder.resolve("keys"), STRANGER);
         robot = new WindowRobot();
-        opened = OpenedWindow.byCommand(List.of("--near",
-            "--network",
-            "127.0.0.1",
-            "--keys",
-            folder.resolve("keys").toString(),
-            "--data",
-            folder.resolve("data").toString(),
-            "--no-resume"));
-window = opened.window();
+        opened = OpenedWindow.byCommand(List.of(
+                "--near",
+                "--network",
+                "127.0.0.1",
+                "--keys",
+                folder.resolve("keys").toString(),
+                "--data",
+                folder.resolve("data").toString(),
+                "--no-resume"));
+        window = opened.window();
     }
 
     @AfterEach

@@ -13,7 +13,6 @@ import java.util.concurrent.TimeUnit;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.OperatorCommand;
 import org.sami.crw.gui.start.StartOptions;
-import picocli.CommandLine;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.palette.Theme;
@@ -23,6 +22,7 @@ import org.sami.spn.model.MissionTreeNode;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.ui.check.WindowRobot;
+import picocli.CommandLine;
 
 /** The real window over a session of its own, as its program opens it; for tests only. */
 public final class OpenedWindow implements AutoCloseable {

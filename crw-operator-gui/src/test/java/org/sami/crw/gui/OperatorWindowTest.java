@@ -31,7 +31,6 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -52,6 +51,7 @@ import org.sami.spn.host.Registration;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Outcome;
 import org.sami.ui.EventThread;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
 import org.sami.ui.map.SlowFiles;
@@ -76,7 +76,7 @@ class OperatorWindowTest {
         folder = data;
         robot = new WindowRobot();
         opened = OpenedWindow.onBuiltInFleet(folder);
-window = opened.window();
+        window = opened.window();
         robot.untilSaid("boats-count", "5 of 5");
     }
 

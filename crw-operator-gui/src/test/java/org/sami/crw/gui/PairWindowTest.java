@@ -17,7 +17,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javax.swing.JLabel;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -41,6 +40,7 @@ import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.spn.value.GeoPoint;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.sheet.WindowSheet;
 

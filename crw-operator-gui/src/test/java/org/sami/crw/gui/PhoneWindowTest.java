@@ -26,7 +26,6 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -50,6 +49,7 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.proxy.phone.OwnNetwork;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.sheet.WindowSheet;
 
@@ -71,12 +71,13 @@ class PhoneWindowTest {
         RealDisplay.assumed();
         assumeFalse(OwnNetwork.all().isEmpty(), "this machine is in no network");
         robot = new WindowRobot();
-        opened = OpenedWindow.byCommand(List.of("--keys",
-            folder.resolve("keys").toString(),
-            "--data",
-            folder.resolve("data").toString(),
-            "--no-resume"));
-window = opened.window();
+        opened = OpenedWindow.byCommand(List.of(
+                "--keys",
+                folder.resolve("keys").toString(),
+                "--data",
+                folder.resolve("data").toString(),
+                "--no-resume"));
+        window = opened.window();
         robot.untilSaid("boats-count", "5 of 5");
     }
 

@@ -1,13 +1,11 @@
 package org.sami.crw.gui;
 
-
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import javax.swing.text.JTextComponent;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -16,6 +14,7 @@ import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.operator.picture.PanoramaPictures;
 import org.sami.crw.session.Session;
 import org.sami.spn.protocol.Answer;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 
 /** The pictures of a panorama come by themselves; the operator looks at them before the answer, small and large. */
@@ -32,7 +31,7 @@ class PicturesWindowTest {
     void operatorLooksAtThePicturesOfABoatAndAnswersWhatTheyShow() throws Exception {
         RealDisplay.assumed();
         try (OpenedWindow opened = OpenedWindow.onBuiltInFleet(folder)) {
-OperatorWindow window = opened.window();
+            OperatorWindow window = opened.window();
             look(window.session());
         }
     }

@@ -12,7 +12,6 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import javax.swing.JComponent;
 import javax.swing.JTabbedPane;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -28,6 +27,7 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 import org.sami.ui.check.Reach;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.sheet.WindowSheet;
 
@@ -60,7 +60,7 @@ class ReachWindowTest {
         RealDisplay.assumed();
         robot = new WindowRobot();
         opened = OpenedWindow.onBuiltInFleet(folder);
-window = opened.window();
+        window = opened.window();
         robot.untilSaid("boats-count", "5 of 5");
         WindowInMemory memory = new WindowInMemory(window);
         walk(memory);

@@ -10,7 +10,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -37,6 +36,7 @@ import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
 import org.sami.ui.EventThread;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
 import org.sami.ui.window.WindowSettings;
@@ -45,18 +45,19 @@ import org.sami.ui.window.WindowSettings;
 @Tag("window")
 class RemoteWindowTest {
     private static final String PROJECT = """
-            {"formatVersion": 1, "id": "talk", "name": "Talk", "domain": "crw",
-             "missionTree": [{"label": "All", "children": [{"plan": "talk"}]}],
-             "plans": [{"id": "talk", "name": "Talk", "places": [
-               {"id": "ask", "name": "Ask", "start": true, "outputs": [
-                 {"id": "q", "type": "OperatorApprove", "fields": {"question": {"value": "Is the water calm?"}}}]},
-               {"id": "end", "name": "End", "end": true, "outputs": [
-                 {"id": "n", "type": "DisplayMessage", "fields": {"message": {"value": "after the answer"}}}]}],
-              "transitions": [{"id": "yes", "inputs": [{"id": "i", "type": "YesOption"}]}],
-              "inEdges": [{"id": "a", "place": "ask", "transition": "yes",
-                "requirements": [{"match": "at-least", "n": 1, "kind": "generic"}]}],
-              "outEdges": [{"id": "b", "transition": "yes", "place": "end",
-                "requirements": [{"action": "take", "n": 1, "kind": "generic"}]}]}]}""";
+        {"formatVersion": 1, "id": "talk", "name": "Talk", "domain": "crw",
+         "missionTree": [{"label": "All", "children": [{"plan": "talk"}]}],
+         "plans": [{"id": "talk", "name": "Talk", "places": [
+           {"id": "ask", "name": "Ask", "start": true, "outputs": [
+             {"id": "q", "type": "OperatorApprove", "fields": {"question": {"value": "Is the water calm?"}}}]},
+           {"id": "end", "name": "End", "end": true, "outputs": [
+             {"id": "n", "type": "DisplayMessage", "fields": {"message": {"value": "after the answer"}}}]}],
+          "transitions": [{"id": "yes", "inputs": [{"id": "i", "type": "YesOption"}]}],
+          "inEdges": [{"id": "a", "place": "ask", "transition": "yes",
+            "requirements": [{"match": "at-least", "n": 1, "kind": "generic"}]}],
+          "outEdges": [{"id": "b", "transition": "yes", "place": "end",
+            "requirements": [{"action": "take", "n": 1, "kind": "generic"}]}]}]}\
+        """;
 
     @TempDir
     private Path folder;

@@ -26,7 +26,6 @@ import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JTable;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,6 +38,7 @@ import org.sami.crw.session.Session;
 import org.sami.palette.Theme;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.protocol.Answer;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.look.Look;
 import org.sami.ui.net.NetView;
@@ -50,19 +50,20 @@ class ReplayWindowTest {
     private static final long BETWEEN_MILLIS = 2000;
     /** It tells something and asks; when it is answered it tells something else and ends. */
     private static final String PROJECT = """
-            {"formatVersion": 1, "id": "talk", "name": "Talk", "domain": "crw",
-             "missionTree": [{"label": "All", "children": [{"plan": "talk"}]}],
-             "plans": [{"id": "talk", "name": "Talk", "places": [
-               {"id": "ask", "name": "Ask", "start": true, "outputs": [
-                 {"id": "m", "type": "DisplayMessage", "fields": {"message": {"value": "before the answer"}}},
-                 {"id": "q", "type": "OperatorApprove", "fields": {"question": {"value": "Is the water calm?"}}}]},
-               {"id": "end", "name": "End", "end": true, "outputs": [
-                 {"id": "n", "type": "DisplayMessage", "fields": {"message": {"value": "after the answer"}}}]}],
-              "transitions": [{"id": "yes", "inputs": [{"id": "i", "type": "YesOption"}]}],
-              "inEdges": [{"id": "a", "place": "ask", "transition": "yes",
-                "requirements": [{"match": "at-least", "n": 1, "kind": "generic"}]}],
-              "outEdges": [{"id": "b", "transition": "yes", "place": "end",
-                "requirements": [{"action": "take", "n": 1, "kind": "generic"}]}]}]}""";
+        {"formatVersion": 1, "id": "talk", "name": "Talk", "domain": "crw",
+         "missionTree": [{"label": "All", "children": [{"plan": "talk"}]}],
+         "plans": [{"id": "talk", "name": "Talk", "places": [
+           {"id": "ask", "name": "Ask", "start": true, "outputs": [
+             {"id": "m", "type": "DisplayMessage", "fields": {"message": {"value": "before the answer"}}},
+             {"id": "q", "type": "OperatorApprove", "fields": {"question": {"value": "Is the water calm?"}}}]},
+           {"id": "end", "name": "End", "end": true, "outputs": [
+             {"id": "n", "type": "DisplayMessage", "fields": {"message": {"value": "after the answer"}}}]}],
+          "transitions": [{"id": "yes", "inputs": [{"id": "i", "type": "YesOption"}]}],
+          "inEdges": [{"id": "a", "place": "ask", "transition": "yes",
+            "requirements": [{"match": "at-least", "n": 1, "kind": "generic"}]}],
+          "outEdges": [{"id": "b", "transition": "yes", "place": "end",
+            "requirements": [{"action": "take", "n": 1, "kind": "generic"}]}]}]}\
+        """;
 
     @TempDir
     private Path folder;

@@ -55,7 +55,7 @@ final class ScreenshotMain {
     private void run(Path data) throws Exception {
         LoopbackFleet boats = new LoopbackFleet(NAMES);
         OpenedWindow opened = OpenedWindow.over(boats.addresses(), data);
-window = opened.window();
+        window = opened.window();
         robot.untilSaid("boats-count", "5 of 5");
         robot.clickRow("plans-table", "Connect Boat");
         robot.click("mission-start");

@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import javax.imageio.ImageIO;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -20,6 +19,7 @@ import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.palette.Theme;
 import org.sami.spn.protocol.Priority;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 
 /**
@@ -42,7 +42,7 @@ class TextWindowTest {
         RealDisplay.assumed();
         fleet = new LoopbackFleet(NAMES);
         opened = OpenedWindow.over(fleet.addresses(), data);
-window = opened.window();
+        window = opened.window();
         WindowRobot robot = new WindowRobot();
         robot.untilSaid("boats-count", "5 of 5");
         window.session().start("explore-team", "Explore the western bay", Map.of());

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.AbstractButton;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -16,6 +15,7 @@ import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.palette.Theme;
 import org.sami.ui.check.Layout;
+import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.dock.DockPanel;
 
@@ -38,7 +38,7 @@ class UnseenDecisionWindowTest {
                     Optional.of(200),
                     Optional.of(false));
             try (OpenedWindow opened = OpenedWindow.open(options, folder)) {
-OperatorWindow window = opened.window();
+                OperatorWindow window = opened.window();
                 WindowRobot.ask(() -> {
                     window.frame().setSize(1280, 800);
                     window.frame().validate();

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -21,6 +22,7 @@ import org.sami.spn.statespace.DeepRequest;
 import org.sami.spn.statespace.SearchWatch;
 
 /** Mistakes of authors, sixty and more: each is found by name at the right element, and none where a plan is right. */
+@Tag("long")
 class AuthorMistakesTest {
     private static final int MISTAKES = 60;
     private static final int MOST_MISSED = 3;

@@ -7,6 +7,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -17,6 +18,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 
 /** Plans that others have written are opened and drawn, and are saved as they were. */
+@Tag("long")
 class CorpusTest {
     @ParameterizedTest
     @ValueSource(strings = {"thesis", "crw"})

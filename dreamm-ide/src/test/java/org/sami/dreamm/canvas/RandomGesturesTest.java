@@ -8,12 +8,14 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.spn.drawing.NetDrawing.Vertex;
 import org.sami.spn.model.Project;
 
 /** Whatever an author does on the net can be taken back and made again, to equal bytes. */
+@Tag("long")
 class RandomGesturesTest {
     private static final int GESTURES = 700;
     private static final String[] KEYS = {

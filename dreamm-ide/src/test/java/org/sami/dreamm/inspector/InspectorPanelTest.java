@@ -14,6 +14,7 @@ import javax.swing.JComponent;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -45,6 +46,7 @@ import org.sami.ui.check.TextFit;
 import org.sami.ui.look.Look;
 
 /** The inspector without a window: each field makes an edit, and no text is cut. */
+@Tag("long")
 @Isolated("the look is one for all windows of a process")
 @ExtendWith(OnEventThread.class)
 class InspectorPanelTest {

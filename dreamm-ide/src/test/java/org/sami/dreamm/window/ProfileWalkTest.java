@@ -25,6 +25,7 @@ import javax.swing.JSpinner;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
@@ -74,6 +75,7 @@ import org.sami.ui.window.ViewCommands;
 import org.sami.ui.window.WindowSettings;
 
 /** Walks all that the window has, without a window: each command, panel, field and choice goes where a profile hides or locks its id. */
+@Tag("long")
 @ExtendWith(OnEventThread.class)
 class ProfileWalkTest {
     private static final DomainLibrary BOATS =

@@ -17,6 +17,7 @@ import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -38,6 +39,7 @@ import org.sami.ui.dock.PanelSizes;
 import org.sami.ui.look.Look;
 
 /** All panels of the window as large as they are in it at first, laid out in memory: no text is cut. */
+@Tag("long")
 @Isolated("the look is one for all windows of a process")
 @ExtendWith(OnEventThread.class)
 class WindowTextTest {

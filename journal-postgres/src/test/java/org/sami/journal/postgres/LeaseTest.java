@@ -12,6 +12,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.spn.host.Durability;
@@ -22,6 +23,7 @@ import org.sami.spn.journal.RowWriter.EntryRow;
 import org.sami.spn.journal.StoredJournal;
 
 /** One base writes a journal at a time, and the database refuses whoever was superseded. */
+@Tag("long")
 @Timeout(900)
 class LeaseTest {
     private static final int TAKE_OVERS = 10_000;
@@ -143,8 +145,9 @@ class LeaseTest {
         // Epochs stand in the column of times: in order of entries none comes after a later one.
         assertThat(TestServer.number(
                         address,
-                        "SELECT count(*) FROM (SELECT at_millis, max(at_millis) OVER (ORDER BY idx ROWS BETWEEN UNBOUNDED"
-                                + " PRECEDING AND 1 PRECEDING) AS before FROM entries) AS e WHERE at_millis < before"))
+                        "SELECT count(*) FROM (SELECT at_millis, max(at_millis) OVER (ORDER BY idx ROWS BETWEEN"
+                                + " UNBOUNDED PRECEDING AND 1 PRECEDING) AS before FROM entries) AS e WHERE at_millis <"
+                                + " before"))
                 .isZero();
     }
 

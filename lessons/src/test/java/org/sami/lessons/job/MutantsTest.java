@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,6 +28,7 @@ import org.sami.spn.model.Project;
  * Careless authors: of each job's solution mutants are made, and none is accepted that behaves otherwise in a hidden case, be it in output
  * events that the job does not compare. Those that do not differ are accepted, and listed in {@code build/mutants/LESSON-JOB.txt} with the reason, for who wants a case that tells them apart.
  */
+@Tag("long")
 @Execution(ExecutionMode.CONCURRENT)
 class MutantsTest {
     private static final long SEED = 33;

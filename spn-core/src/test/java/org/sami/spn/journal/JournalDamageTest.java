@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.spn.engine.Engine;
@@ -25,6 +26,7 @@ import org.sami.spn.host.JournalException;
  * after some entry, or the file is refused by name; never a wrong state. The whole of both files with
  * {@code -Djournal.everyByte=true}, else every nth byte.
  */
+@Tag("long")
 class JournalDamageTest {
     private static final boolean EVERY_BYTE = Boolean.getBoolean("journal.everyByte");
     private static final int CASES = EVERY_BYTE ? Integer.MAX_VALUE : 700;

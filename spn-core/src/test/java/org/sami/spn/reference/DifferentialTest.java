@@ -6,13 +6,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.LongFunction;
 import java.util.stream.LongStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.testing.TestVocabulary;
 
 /**
  * The engine and the interpreter agree after every input of hundreds of random sessions on random plans. For thousands, as before a rule changes:
- * {@code ./gradlew :spn-core:test --tests '*DifferentialTest' -Pseeds=50000 -PfirstSeed=1}.
+ * {@code ./gradlew :spn-core:longTest --tests '*DifferentialTest' -Pseeds=50000 -PfirstSeed=1}.
  */
+@Tag("long")
 class DifferentialTest {
     private static final long FIRST_SEED = Long.getLong("spn.firstSeed", 1);
     private static final long SEEDS = Long.getLong("spn.seeds", 600);

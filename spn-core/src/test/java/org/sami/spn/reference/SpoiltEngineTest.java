@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The differential test notices when one rule of the engine is wrong: each row spoils one line of its source. */
+@Tag("long")
 class SpoiltEngineTest {
     private static final int LEAST_SPOILT = 50;
     private static final int MOST_SEEDS = 2000;

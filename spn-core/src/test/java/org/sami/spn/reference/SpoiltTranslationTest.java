@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.LongFunction;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The comparisons of plans' nets with the engine notice when one line of the translation, or of the search, is wrong: each row spoils one. */
+@Tag("long")
 class SpoiltTranslationTest {
     private static final Path PLANS = Path.of("../spn-authoring/src/main/java/org/sami/spn/plannet");
     private static final Path SEARCHES = Path.of("../petri/src/main/java/org/sami/petri/graph");

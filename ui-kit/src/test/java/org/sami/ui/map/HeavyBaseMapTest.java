@@ -11,6 +11,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.ui.EventThread;
@@ -19,6 +20,7 @@ import org.sami.ui.EventThread;
  * Map files that are large, dense or wrong: the event thread, which has to answer the fleet stop, is handed little work whatever a file
  * holds. The work is counted and not timed.
  */
+@Tag("long")
 class HeavyBaseMapTest {
     private static final int WITHIN_S = 120;
     private static final long MOST_WORK = 6_000; // painting a map of two vehicles without a base map is about 1,000

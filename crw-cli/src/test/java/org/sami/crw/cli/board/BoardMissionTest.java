@@ -13,6 +13,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.boat.hull.board.BoardState;
@@ -34,6 +35,7 @@ import org.sami.crw.sim.hull.Flow;
 import org.sami.spn.value.GeoPoint;
 
 /** A mission of five boats, each driven through its control board over TCP, in real time; one cable is pulled and put back on the way. */
+@Tag("long")
 @Timeout(900)
 class BoardMissionTest {
     private static final InetSocketAddress ANY_PORT = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);

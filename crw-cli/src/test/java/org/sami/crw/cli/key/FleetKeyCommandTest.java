@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -11,6 +12,7 @@ import org.sami.crw.cli.CommandResult;
 import org.sami.mavlink.testing.SmallVehicle;
 
 /** {@code crw keys fleet}, and {@code crw vehicles} with its key. */
+@Tag("long")
 @Timeout(900)
 class FleetKeyCommandTest {
     @TempDir

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.report.RunOutcome;
@@ -17,6 +18,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** The real plans of the earlier fleet run; skipped where they are absent, since their licence keeps them out of the project. */
+@Tag("long")
 class RealPlansTest {
     private static final Path FOLDER = Path.of("../../shared/legacy-plans");
     private static final String CRW = "/org/sami/domain/crw";

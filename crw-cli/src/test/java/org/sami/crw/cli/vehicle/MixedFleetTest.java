@@ -3,6 +3,7 @@ package org.sami.crw.cli.vehicle;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.cli.CommandResult;
@@ -15,6 +16,7 @@ import org.sami.mavlink.testing.SmallCopter;
 import org.sami.spn.value.GeoPoint;
 
 /** A simulated boat over TCP and one that speaks MAVLink, in one plan. */
+@Tag("long")
 @Timeout(900)
 class MixedFleetTest {
     private static final GeoPoint PIER = GeoPoint.of(45.7, 10.72);

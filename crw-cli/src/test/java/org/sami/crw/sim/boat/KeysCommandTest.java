@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,6 +30,7 @@ import org.sami.crw.cli.CommandResult;
 import org.sami.crw.proxy.tcp.BaseProtection;
 
 /** {@code crw keys} at a boat with keys: who is paired commands it, who was withdrawn does not. */
+@Tag("long")
 @Timeout(900)
 @Isolated("what --keys says holds for the whole process")
 class KeysCommandTest {

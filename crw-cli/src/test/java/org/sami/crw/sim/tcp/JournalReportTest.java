@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +25,7 @@ import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.value.GeoPoint;
 
 /** The report of a run that whoever has only its journal makes. */
+@Tag("long")
 @Timeout(900)
 class JournalReportTest {
     private static final ObjectMapper JSON = new ObjectMapper();

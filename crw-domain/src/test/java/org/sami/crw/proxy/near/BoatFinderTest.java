@@ -15,6 +15,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import javax.jmdns.JmDNS;
 import javax.jmdns.ServiceInfo;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BoatAnnouncement;
 import org.sami.boat.link.BoatAnnouncement.Access;
@@ -22,6 +23,7 @@ import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.tcp.BoatAddress;
 
 /** Boats that announce themselves on this machine's loopback network, by real multicast: other tests may announce boats of their own there. */
+@Tag("long")
 class BoatFinderTest {
     private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
 

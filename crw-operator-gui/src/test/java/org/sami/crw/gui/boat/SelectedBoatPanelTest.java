@@ -12,6 +12,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
@@ -23,6 +24,7 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /** The panel of a boat over a real session: what is asked of the boat is answered by its server. */
+@Tag("long")
 @Timeout(900)
 class SelectedBoatPanelTest {
     private static final GeoPoint FAR = GeoPoint.of(45.402, 10.9);

@@ -21,6 +21,7 @@ import javax.swing.JComponent;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.TestInstance.Lifecycle;
@@ -47,6 +48,7 @@ import org.sami.ui.value.MapMaker;
  * Each component that Algorithms 4 to 6 may choose for an answer is answered once in the panel of decisions, by its own buttons and fields,
  * before a real session: the mission's variable has what was given then.
  */
+@Tag("long")
 @Timeout(900)
 @TestInstance(Lifecycle.PER_CLASS)
 class ComponentAnswersTest {

@@ -16,6 +16,7 @@ import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.palette.Theme;
@@ -24,6 +25,7 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
 
 /** The panel before a real session with simulated boats: what is asked is answered by what it shows. */
+@Tag("long")
 @Timeout(900)
 class DecisionsPanelTest {
     @Test

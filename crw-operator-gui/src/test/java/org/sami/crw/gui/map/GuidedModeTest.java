@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
@@ -23,6 +24,7 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.ui.window.Notices.Notice;
 
 /** What becomes of a boat that is sent by hand, in a session with a simulated boat behind a socket, in still water. */
+@Tag("long")
 @Timeout(900)
 class GuidedModeTest {
     private static final GeoArea ROCK = area(at(-4, 5), at(4, 5), at(4, 8), at(-4, 8));
@@ -61,20 +63,20 @@ class GuidedModeTest {
     /** A project that avoids some areas; the one plan's boats avoid others and wait for the operator. */
     private void open(List<GeoArea> ofProject, List<GeoArea> ofPlan) throws Exception {
         world = new SessionWorld(SessionWorld.project("""
-                {'formatVersion': 1, 'id': 'p', 'name': 'p', 'domain': 'crw',
-                 'globals': [{'name': '@noGo', 'type': 'list<area>', 'initial': %s}],
-                 'plans': [{'id': 'wait', 'name': 'Wait', 'places': [
-                  {'id': 'a', 'start': true, 'outputs': [
-                   {'id': 'l', 'type': 'AssembleLocationRequest', 'fields': {'location': {'value': {'lat': 45.4, 'lon': 10.9}},
-                    'spacing': {'value': 5}, 'avoid': {'value': %s}}},
-                   {'id': 'q', 'type': 'OperatorApprove', 'fields': {'question': {'value': 'Go on?'}}}]},
-                  {'id': 'b', 'end': true}],
-                 'transitions': [{'id': 't', 'inputs': [{'id': 'y', 'type': 'YesOption'}]}],
-                 'inEdges': [{'id': 'e1', 'place': 'a', 'transition': 't',
-                  'requirements': [{'kind': 'generic', 'match': 'at-least', 'n': 1}]}],
-                 'outEdges': [{'id': 'e2', 'transition': 't', 'place': 'b',
-                  'requirements': [{'kind': 'generic', 'action': 'take', 'n': 'all'}]}]}]}
-                """.formatted(json(ofProject), json(ofPlan))), "anna");
+            {'formatVersion': 1, 'id': 'p', 'name': 'p', 'domain': 'crw',
+             'globals': [{'name': '@noGo', 'type': 'list<area>', 'initial': %s}],
+             'plans': [{'id': 'wait', 'name': 'Wait', 'places': [
+              {'id': 'a', 'start': true, 'outputs': [
+               {'id': 'l', 'type': 'AssembleLocationRequest', 'fields': {'location': {'value': {'lat': 45.4, 'lon': 10.9}},
+                'spacing': {'value': 5}, 'avoid': {'value': %s}}},
+               {'id': 'q', 'type': 'OperatorApprove', 'fields': {'question': {'value': 'Go on?'}}}]},
+              {'id': 'b', 'end': true}],
+             'transitions': [{'id': 't', 'inputs': [{'id': 'y', 'type': 'YesOption'}]}],
+             'inEdges': [{'id': 'e1', 'place': 'a', 'transition': 't',
+              'requirements': [{'kind': 'generic', 'match': 'at-least', 'n': 1}]}],
+             'outEdges': [{'id': 'e2', 'transition': 't', 'place': 'b',
+              'requirements': [{'kind': 'generic', 'action': 'take', 'n': 'all'}]}]}]}
+            """.formatted(json(ofProject), json(ofPlan))), "anna");
         SessionWorld.until("anna says where it is", () -> anna().pose().isPresent());
         onEventThread(() -> {
             world.context.notices().addListener(notices::add);

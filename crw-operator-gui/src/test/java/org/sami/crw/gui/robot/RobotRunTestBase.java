@@ -1,10 +1,8 @@
 package org.sami.crw.gui.robot;
 
-
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import org.sami.ui.check.RealDisplay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.TestInstance;
@@ -12,6 +10,7 @@ import org.junit.jupiter.api.TestInstance.Lifecycle;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.ui.check.RealDisplay;
 
 /** A window that is opened once, and rows that are done to it one after another. */
 @TestInstance(Lifecycle.PER_CLASS)

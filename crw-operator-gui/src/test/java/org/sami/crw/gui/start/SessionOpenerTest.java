@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,6 +21,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 
+@Tag("long")
 @Timeout(900)
 class SessionOpenerTest {
     @TempDir

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -19,6 +20,7 @@ import org.sami.crw.service.Geodesy;
 import org.sami.spn.value.GeoPoint;
 
 /** What all allocation algorithms keep, and what each is better at. */
+@Tag("long")
 class DivisionsTest {
     private static final List<String> SKILLS = List.of("camera", "temperature", "winch");
 

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.server.testing.Await;
@@ -21,6 +22,7 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /** Boats behind TCP, in still water with exact instruments: what one knows of the other comes from the base alone. */
+@Tag("long")
 class GivingWayOverTcpTest {
     /** 3 m, less what boats go between two looks of the base on a busy machine; without being told of each other they meet. */
     private static final double APART_M = 2;

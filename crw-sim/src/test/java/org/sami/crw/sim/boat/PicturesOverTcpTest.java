@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,6 +22,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
 import org.sami.spn.protocol.Priority;
 
 /** A boat that is told to take a panorama keeps its pictures, and a base fetches them. */
+@Tag("long")
 @Execution(ExecutionMode.CONCURRENT)
 @Timeout(900)
 class PicturesOverTcpTest {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,6 +27,7 @@ import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** What a base is told, and counts, where it and a boat do not know each other, or one of them speaks plain. No clock counts. */
+@Tag("long")
 @Execution(ExecutionMode.CONCURRENT)
 @Timeout(900)
 class RefusedLinkTest {

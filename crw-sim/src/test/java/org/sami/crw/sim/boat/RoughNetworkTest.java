@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -25,6 +26,7 @@ import org.sami.crw.sim.boat.TcpTestFleet.Base;
  * Links over a bad network, in the form in which TCP lets it through: delays, standstill and resets at any byte. A network that leaves out single frames, or
  * cuts at one kind of message ({@link CutLinkTest}), has to see frames: that can only be tested on plain links.
  */
+@Tag("long")
 @Execution(ExecutionMode.CONCURRENT)
 @Timeout(600)
 class RoughNetworkTest {

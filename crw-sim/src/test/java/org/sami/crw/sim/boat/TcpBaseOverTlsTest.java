@@ -1,6 +1,9 @@
 package org.sami.crw.sim.boat;
 
+import org.junit.jupiter.api.Tag;
+
 /** The same over protected links. */
+@Tag("long")
 class TcpBaseOverTlsTest extends TcpBaseTest {
     @Override
     TestLinks links() {

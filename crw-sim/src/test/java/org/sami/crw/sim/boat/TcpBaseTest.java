@@ -13,6 +13,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -37,6 +38,7 @@ import org.sami.crw.proxy.tcp.TcpBaseConfig;
 import org.sami.crw.sim.boat.TcpTestFleet.Base;
 
 /** Bases and simulated boats over real sockets: what is lost is shown, what comes back goes on, nothing is done twice. */
+@Tag("long")
 @Execution(ExecutionMode.CONCURRENT)
 @Timeout(900)
 class TcpBaseTest {

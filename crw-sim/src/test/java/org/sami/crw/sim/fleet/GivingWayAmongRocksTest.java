@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -27,6 +28,7 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /** Whether boats that give way to one another stay out of what they are to avoid: measured on where their hulls truly are. */
+@Tag("long")
 class GivingWayAmongRocksTest {
     private static final double APART_M = 3;
     private static final GeometryFactory FACTORY = new GeometryFactory();

@@ -3,6 +3,7 @@ package org.sami.crw.sim.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.report.RunOutcome;
@@ -12,6 +13,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 
 /** An abort at any moment leaves every boat stopped. */
+@Tag("long")
 class AbortTest {
     private static final int MOMENTS = 60;
     private static final long LATEST_MILLIS = 320_000;

@@ -3,6 +3,7 @@ package org.sami.crw.sim.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -21,6 +22,7 @@ import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /** Boats whose batteries turn critical are pulled out (thesis 7.1.1): {@code recharge@battery}. */
+@Tag("long")
 class BatteryRunTest {
     @Test
     void boatIsPulledOutAtTheMomentAtWhichItTurnsCritical() {

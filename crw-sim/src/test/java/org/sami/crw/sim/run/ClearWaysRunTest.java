@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -40,6 +41,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
 
 /** Whole missions around a rock in the middle of the water, which the allocation is to avoid: measured on the boats' true tracks. */
+@Tag("long")
 class ClearWaysRunTest {
     private static final double HALF_M = 60;
     private static final GeometryFactory FACTORY = new GeometryFactory();
@@ -150,8 +152,9 @@ class ClearWaysRunTest {
 
     private static RunSettings settings(String plan, String interrupt, Conditions conditions, long seed) {
         String answers = """
-                {"format": "crw-answers", "version": 1, "rules": [
-                 {"event": "OperatorCreateLocations", "answer": {"values": {"locations": [%s]}}}]}""".formatted(locations());
+            {"format": "crw-answers", "version": 1, "rules": [
+             {"event": "OperatorCreateLocations", "answer": {"values": {"locations": [%s]}}}]}\
+            """.formatted(locations());
         FleetSettings fleet = new FleetSettings(3, 8, 400, seed).on(conditions);
         RunSettings settings = RunSettings.of(plan, plan, fleet)
                 .limitMillis(7_200_000)

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.report.RunOutcome;
@@ -26,6 +27,7 @@ import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.json.ProjectWriter;
 
 /** A run that dies after any entry of its journal and is taken up again is the run that never died. */
+@Tag("long")
 class CrashTest {
     @TempDir
     Path folder;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
@@ -16,6 +17,7 @@ import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /** Boats that go through a dangerous area one after another, in one shared sub-mission (thesis, Figure 7.4), with many seeds. */
+@Tag("long")
 class DangerousAreaRunTest {
     private static final int SEEDS = 40;
     private static final double MOST_DETOUR = 1.1;
@@ -24,9 +26,10 @@ class DangerousAreaRunTest {
             Set.of("Path done, next boat", "Out of danger, next boat", "Path failed, next boat");
     /** The middle of the square, 60 m wide. */
     private static final String ANSWERS = """
-            {"format": "crw-answers", "version": 1, "rules": [{"event": "OperatorCreateArea", "answer": {"values": {"area": {"outline": [
-             {"lat": 45.69973, "lon": 10.71961}, {"lat": 45.69973, "lon": 10.72039},
-             {"lat": 45.70027, "lon": 10.72039}, {"lat": 45.70027, "lon": 10.71961}]}}}}]}""";
+        {"format": "crw-answers", "version": 1, "rules": [{"event": "OperatorCreateArea", "answer": {"values": {"area": {"outline": [
+         {"lat": 45.69973, "lon": 10.71961}, {"lat": 45.69973, "lon": 10.72039},
+         {"lat": 45.70027, "lon": 10.72039}, {"lat": 45.70027, "lon": 10.71961}]}}}}]}\
+        """;
 
     private static RunReport run(long seed, List<String> interrupts) {
         RunSettings settings = RunSettings.of(

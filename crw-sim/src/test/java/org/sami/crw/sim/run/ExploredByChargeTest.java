@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Map;
 import java.util.stream.LongStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -26,6 +27,7 @@ import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
 
 /** Areas are divided by how far charges last, so that no boat stops dead in its share: judged by true batteries and true tracks. */
+@Tag("long")
 class ExploredByChargeTest {
     static LongStream seeds() {
         return LongStream.rangeClosed(1, 20);

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.decision.AnswersFile;
@@ -22,6 +23,7 @@ import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.json.ProjectWriter;
 
 /** A run with interrupts that dies after any entry of its journal is, taken up again, the run that never died. */
+@Tag("long")
 class InterruptCrashTest {
     private static final RunPlan PLAN = TestRuns.plan("clv-interrupts");
     private static final RunSettings SETTINGS = RunSettings.of(

@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
@@ -30,6 +31,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Input;
 
 /** Cooperative Location Visit with interrupts (thesis, Figure 7.3), on simulated boats: what pressing its buttons does. */
+@Tag("long")
 class InterruptedVisitsTest {
     private static final RunPlan PLAN = TestRuns.plan("clv-interrupts");
     private static final RunReport UNDISTURBED = run();
@@ -198,9 +200,9 @@ class InterruptedVisitsTest {
     void abortOfOnlyTheSubMissionKeepsItsBoatIfTheOperatorSaysNo() {
         AnswersFile no =
                 AnswersFileReader.read("""
-                        {"format": "crw-answers", "version": 1,
-                         "rules": [{"event": "aborted:recharge", "answer": {"yes": false}}]}
-                        """, TestRuns.LIBRARY.vocabulary()).orThrow();
+                    {"format": "crw-answers", "version": 1,
+                     "rules": [{"event": "aborted:recharge", "answer": {"yes": false}}]}
+                    """, TestRuns.LIBRARY.vocabulary()).orThrow();
 
         RunReport report = runAndAbortRecharge(no);
 
@@ -327,21 +329,28 @@ class InterruptedVisitsTest {
     private static void offerTheAlarmWhileRechargingToo(ObjectNode project) {
         ObjectNode recharge = planOf(project, "recharge");
         add(recharge, "places", """
-                {"id": "assemble", "subMissions": [{"id": "run-assemble", "plan": "assemble"}]}""");
+            {"id": "assemble", "subMissions": [{"id": "run-assemble", "plan": "assemble"}]}\
+            """);
         add(recharge, "transitions", """
-                {"id": "start-alarm", "name": "Start alarm", "inputs":
-                  [{"id": "pressed", "type": "OperatorInterruptReceived", "fields": {"interruptName": "alarm"}}]}""", """
-                {"id": "end-alarm", "name": "End alarm"}""");
+            {"id": "start-alarm", "name": "Start alarm", "inputs":
+              [{"id": "pressed", "type": "OperatorInterruptReceived", "fields": {"interruptName": "alarm"}}]}\
+            """, """
+            {"id": "end-alarm", "name": "End alarm"}\
+            """);
         add(recharge, "inEdges", """
-                {"id": "i1", "place": "go", "transition": "start-alarm",
-                 "requirements": [{"match": "at-least", "n": 1, "kind": "any-proxy"}]}""", """
-                {"id": "i2", "place": "assemble", "transition": "end-alarm",
-                 "requirements": [{"match": "at-least", "n": 1, "kind": "any-proxy"}]}""");
+            {"id": "i1", "place": "go", "transition": "start-alarm",
+             "requirements": [{"match": "at-least", "n": 1, "kind": "any-proxy"}]}\
+            """, """
+            {"id": "i2", "place": "assemble", "transition": "end-alarm",
+             "requirements": [{"match": "at-least", "n": 1, "kind": "any-proxy"}]}\
+            """);
         add(recharge, "outEdges", """
-                {"id": "o1", "transition": "start-alarm", "place": "assemble",
-                 "requirements": [{"action": "take", "n": "all", "kind": "any-proxy"}]}""", """
-                {"id": "o2", "transition": "end-alarm", "place": "go",
-                 "requirements": [{"action": "take", "n": "all", "kind": "sub-mission-tokens"}]}""");
+            {"id": "o1", "transition": "start-alarm", "place": "assemble",
+             "requirements": [{"action": "take", "n": "all", "kind": "any-proxy"}]}\
+            """, """
+            {"id": "o2", "transition": "end-alarm", "place": "go",
+             "requirements": [{"action": "take", "n": "all", "kind": "sub-mission-tokens"}]}\
+            """);
     }
 
     private static ObjectNode planOf(ObjectNode project, String id) {

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.OptionalLong;
 import java.util.TreeMap;
 import javax.management.ObjectName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -25,6 +26,7 @@ import org.sami.spn.journal.JournalReader;
 import org.sami.spn.json.ProjectWriter;
 
 /** Hours of a run: what it holds in memory stays the same, and the journal holds what is worth keeping. */
+@Tag("long")
 @Isolated("counts the objects of the process")
 @Timeout(900)
 class LongRunTest {

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -22,6 +23,7 @@ import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /** Plans of the library from their start to their end, with the simulated operator, in calm, field and rough water. */
+@Tag("long")
 class PlanLibraryRunTest {
     private static final String NO_LOCATIONS =
             "{\"event\": \"OperatorCreateLocations\", \"answer\": {\"values\": {\"locations\": []}}}";

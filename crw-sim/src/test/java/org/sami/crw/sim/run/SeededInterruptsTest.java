@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.crw.report.LocationResult;
@@ -18,6 +19,7 @@ import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /** Whoever is interrupted by what, and whenever: every location is visited, and the mission ends. */
+@Tag("long")
 class SeededInterruptsTest {
     private static final int RUNS = 30;
     private static final List<String> NAMES =

@@ -3,6 +3,7 @@ package org.sami.crw.sim.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,6 +19,7 @@ import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /** Twenty boats keep 3 m from one another in calm water, in whole missions: measured ten times a second on where their hulls truly are. */
+@Tag("long")
 class SeparationRunTest {
     private static final double APART_M = 3;
 

@@ -17,6 +17,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,6 +34,7 @@ import org.sami.crw.sim.hull.SensorKind;
 import org.sami.crw.sim.hull.SensorSetting;
 
 /** One boat that says too much, next to one that says what boats say, in a real session over TCP with its journal. */
+@Tag("long")
 @Timeout(900)
 class FloodingBoatTest {
     private static final long MESSAGES = 150_000;

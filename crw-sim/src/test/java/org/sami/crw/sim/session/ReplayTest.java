@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -42,6 +43,7 @@ import org.sami.spn.value.ListValue;
 import org.sami.spn.value.Value;
 
 /** A replay shows what lay before the operator of a real session, whose boats were reached over TCP. */
+@Tag("long")
 @Timeout(900)
 class ReplayTest {
     @TempDir

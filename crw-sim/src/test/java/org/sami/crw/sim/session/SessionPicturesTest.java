@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,6 +36,7 @@ import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 
 /** A session fetches the pictures that its boats take, keeps them, and shows them with messages and decisions. */
+@Tag("long")
 @Execution(ExecutionMode.CONCURRENT)
 @Timeout(900)
 class SessionPicturesTest {

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletionException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +25,7 @@ import org.sami.crw.session.Session;
 import org.sami.crw.sim.boat.BoatOnTcp;
 
 /** Missions that cannot go on say so, since when, why and what would help; those that merely wait do not. */
+@Tag("long")
 @Timeout(900)
 class StuckMissionTest {
     /** Boats drive to a point; by an interrupt they go back to the start. Nothing is planned for a path that fails. */

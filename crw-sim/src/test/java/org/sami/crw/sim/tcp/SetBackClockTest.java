@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
@@ -33,6 +34,7 @@ import org.sami.crw.sim.run.settings.Speed;
 import org.sami.spn.value.GeoPoint;
 
 /** The clock under a run and its boat is set back by an hour while the mission's timer runs. */
+@Tag("long")
 @Timeout(900)
 class SetBackClockTest {
     private static final long HOUR_MS = 3_600_000;

@@ -14,6 +14,7 @@ import java.sql.Connection;
 import java.sql.DriverManager;
 import java.sql.Statement;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,6 +23,7 @@ import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.map.HeavyFiles;
 
 /** Files of tiles: what is read of them, and in which words others are refused. */
+@Tag("long")
 class MbTilesTest {
     private static final int LEVEL = 14;
     private static final int X = 8680;
