@@ -99,7 +99,8 @@ final class FleetBenchmark {
     }
 
     private static FollowPath farAway(int boat) {
-        GeoPoint there = GeoPoint.of(FleetProcess.PIER.latDeg() + 0.1, FleetProcess.PIER.lonDeg() + boat * 1e-4);
+        GeoPoint berth = FleetProcess.berth(boat);
+        GeoPoint there = GeoPoint.of(berth.latDeg() + 0.1, berth.lonDeg());
         return FollowPath.of("m1-a1-boat" + boat, 1, 1, List.of(there), Priority.MEDIUM);
     }
 

@@ -24,8 +24,11 @@ import org.sami.spn.value.GeoPoint;
 
 /** Boats behind TCP in a process of their own, so that what they need is not counted for the base. They end with the base. */
 public final class FleetProcess implements AutoCloseable {
-    /** Where the boats are launched. */
+    /** The pier along which the boats are launched: its western end. */
     public static final GeoPoint PIER = GeoPoint.of(45.4, 10.9);
+
+    private static final double BERTH_DEG =
+            1e-4; // 7.8 m at this latitude, so that boats that set out side by side keep clear of one another
 
     private final Process process;
     private final List<InetSocketAddress> addresses = new ArrayList<>();
@@ -63,6 +66,11 @@ public final class FleetProcess implements AutoCloseable {
         }
     }
 
+    /** Where a boat is launched, by its number from 1. */
+    public static GeoPoint berth(int boat) {
+        return GeoPoint.of(PIER.latDeg(), PIER.lonDeg() + boat * BERTH_DEG);
+    }
+
     /** Processor time that the boats have needed so far, in ns. */
     public long cpuNanos() {
         return process.info().totalCpuDuration().orElse(Duration.ZERO).toNanos();
@@ -89,7 +97,7 @@ public final class FleetProcess implements AutoCloseable {
                 keys.add(new Peer(Fingerprint.parse(args[1]), "base", Role.COMMANDER));
             }
             BoatOnTcp boat = new BoatOnTcp(
-                    BoatSettings.of("boat" + i, anyPort, PIER, i),
+                    BoatSettings.of("boat" + i, anyPort, berth(i), i),
                     SteadyClock.ofThisMachine(),
                     TcpServerListener.NONE,
                     plain -> args[1].isEmpty() ? plain : plain.withKeys(keys, new PairingResponder(keys)));

@@ -1,0 +1,9 @@
+/**
+ * Benchmarks of a served session, run by {@code ./gradlew benchmark}: what fronts cost its host, and what reaches them.
+ *
+ * <p>Belongs here: measurements and the main program that writes their table and file. Does not belong here: tests.
+ */
+@NullMarked
+package org.sami.session.server.bench;
+
+import org.jspecify.annotations.NullMarked;
