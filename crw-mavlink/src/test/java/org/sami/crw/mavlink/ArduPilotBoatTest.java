@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -37,6 +38,7 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /** The real firmware of a boat under a base's commands; where it truly was, its simulator says. */
+@Tag("long")
 @Timeout(900)
 class ArduPilotBoatTest {
     private static final int NUMBER = 90; // far from where somebody tries one by hand

@@ -16,6 +16,7 @@ import org.apache.pdfbox.Loader;
 import org.apache.pdfbox.pdmodel.PDDocument;
 import org.apache.pdfbox.rendering.PDFRenderer;
 import org.apache.pdfbox.text.PDFTextStripper;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sami.picture.NetFonts;
 import org.sami.picture.net.NetPicture;
@@ -26,6 +27,7 @@ import org.sami.spn.model.LayoutPoint;
 import org.sami.spn.model.Note;
 import org.sami.spn.model.Plan;
 
+@Tag("long")
 class PictureFormatTest {
     private static final DomainLibrary DOMAIN =
             DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();

@@ -9,6 +9,7 @@ import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JTextArea;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -29,6 +30,7 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.look.Look;
 
+@Tag("long")
 @Isolated("the look is one for all windows of a process")
 @ExtendWith(OnEventThread.class)
 class HelpTopicsTest {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
@@ -14,6 +15,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.testing.TestVocabulary;
 
 /** A random session in which the project that it has is loaded again goes as if only time had passed then. */
+@Tag("long")
 class EqualProjectTest {
     private static final int SESSIONS = 1000;
 

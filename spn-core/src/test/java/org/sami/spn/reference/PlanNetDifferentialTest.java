@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.LongStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.model.Project;
 import org.sami.spn.plannet.Abstraction;
@@ -19,9 +20,10 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.testing.TestVocabulary;
 
 /**
- * What the engine does, the nets of plans can do: random sessions on random plans, each firing held to the net. More seeds: {@code ./gradlew :spn-core:test --tests
+ * What the engine does, the nets of plans can do: random sessions on random plans, each firing held to the net. More seeds: {@code ./gradlew :spn-core:longTest --tests
  * '*PlanNetDifferentialTest' -Pseeds=20000}.
  */
+@Tag("long")
 class PlanNetDifferentialTest {
     private static final long FIRST_SEED = Long.getLong("spn.firstSeed", 1);
     private static final long SEEDS = Long.getLong("spn.seeds", 1000);

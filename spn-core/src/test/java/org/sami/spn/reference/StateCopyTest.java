@@ -3,6 +3,7 @@ package org.sami.spn.reference;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
@@ -11,6 +12,7 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.testing.TestVocabulary;
 
 /** A copy of a state and its original never influence one another, on every random plan. */
+@Tag("long")
 class StateCopyTest {
     private static final int SEEDS = 400;
 

@@ -7,6 +7,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -15,6 +16,7 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.check.TextFit;
 import org.sami.ui.look.Look;
 
+@Tag("long")
 @Isolated("the look is one for all windows of a process")
 class GalleryTest {
     private static final int WIDTH = 380; // of a docked panel in a window of 1280

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalLong;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.cli.CommandResult;
@@ -20,6 +21,7 @@ import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.json.ProjectWriter;
 
 /** Runs that start more than one root mission. */
+@Tag("long")
 class SeveralMissionsRunTest {
     private static final RunPlan PLAN = TestRuns.plan("clv");
     private static final RunSettings SETTINGS =

@@ -26,8 +26,8 @@ class SimulatedBoatAdderTest {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "sim-1")) {
             MapPanel panel = laidOut(() -> new MapPanel(world.context));
             until(
-                    "sim-1 is known",
-                    () -> world.context.models().fleet().boat("sim-1").isPresent());
+                    "it is known where sim-1 is, to whom the map turns",
+                    () -> position(world, "sim-1").isPresent());
             MapView map = SessionWorld.find(panel, "map", MapView.class);
             GeoPoint middle = onEventThread(() -> {
                 map.centre(GeoPoint.of(45.5, 10.8));

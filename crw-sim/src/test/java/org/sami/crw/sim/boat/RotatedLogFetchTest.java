@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,6 +29,7 @@ import org.sami.crw.proxy.file.FileNews;
 import org.sami.spn.value.GeoPoint;
 
 /** A base fetches the log of a boat that goes on to new files meanwhile, over real sockets and cut links. */
+@Tag("long")
 @Timeout(900)
 class RotatedLogFetchTest {
     @TempDir

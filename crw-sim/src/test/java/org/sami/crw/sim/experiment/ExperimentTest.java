@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.report.RunOutcome;
@@ -19,6 +20,7 @@ import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 
 /** Many runs side by side come out as they do one by one. */
+@Tag("long")
 class ExperimentTest {
     private static final List<ExperimentCase> CASES =
             List.of(of("clv", 200), of("measure", 150), of("explore-area", 150));

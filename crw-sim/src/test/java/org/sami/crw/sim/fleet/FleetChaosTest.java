@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.boat.link.BoatMode;
@@ -23,6 +24,7 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 /** Everything at once, in any order: commands, withdrawals, cut links, hands, fleet stops, empty batteries. */
+@Tag("long")
 class FleetChaosTest {
     private static final List<Priority> PRIORITIES = List.of(Priority.values());
     private static final List<LostLinkAction> ACTIONS = List.of(LostLinkAction.values());

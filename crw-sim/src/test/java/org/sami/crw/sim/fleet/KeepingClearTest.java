@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -34,6 +35,7 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /** Whether boats stay out of what they are to avoid: measured on where the hulls truly are. */
+@Tag("long")
 class KeepingClearTest {
     /** A boat goes on for some seconds before it knows that its link is lost. */
     private static final double BEFORE_IT_RETURNS_M = 12;

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -20,6 +21,7 @@ import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 
 /** How near boats keep to the path that they were given: measured on where the hulls truly are. */
+@Tag("long")
 class PathFollowingTest {
     private static final FleetConfig ENDURING =
             FleetConfig.DEFAULT.withHull(HullConfig.DEFAULT.withBatteryPercentPerM(0));
