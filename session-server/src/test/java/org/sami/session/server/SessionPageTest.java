@@ -1,13 +1,10 @@
 package org.sami.session.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -20,14 +17,8 @@ import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
-import org.sami.session.person.PeopleFile;
-import org.sami.session.person.Person;
-import org.sami.session.person.PersonKey;
-import org.sami.session.person.PersonRole;
-import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.value.GeoPoint;
 
 /** The page of a served session in a real browser of a phone's size. */
@@ -39,55 +30,28 @@ class SessionPageTest {
     @TempDir
     private Path folder;
 
+    private ServedPage page;
     private Session session;
-    private SessionServer server;
     private TestBrowser browser;
 
     @BeforeEach
     void openThePage() throws Exception {
-        Optional<Path> program = TestBrowser.installed();
-        assumeTrue(program.isPresent(), "there is no Chromium; get one by: apt-get install chromium");
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        session = Session.open(SessionSetup.of(
-                library.vocabulary(), library.projectOf("station-keep").orElseThrow()));
-        PeopleFile people = new PeopleFile(folder.resolve("people"));
-        people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
-        server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
-        session.begin();
-        browser = new TestBrowser(program.get(), folder.resolve("profile"));
-        browser.open(server.url());
+        page = new ServedPage(ServedPage.LIBRARY.projectOf("station-keep").orElseThrow(), folder);
+        session = page.session;
+        browser = page.browser;
     }
 
     @AfterEach
     void end() throws Exception {
-        if (browser != null) {
-            browser.close();
-            server.close();
-            session.close();
+        if (page != null) {
+            page.close();
         }
-    }
-
-    private void join(String key) throws Exception {
-        browser.until("document.getElementById('login') !== null && !document.getElementById('login').hidden");
-        browser.type("#login-name", "anna");
-        browser.type("#login-key", key);
-        browser.click("#login button");
-    }
-
-    private void joined() throws Exception {
-        join("key of anna");
-        browser.until("document.getElementById('state').textContent.includes('anna (operator)')");
     }
 
     @Test
     void personStartsAMissionAndAnswersItsQuestion() throws Exception {
-        joined();
-        browser.click("#tabs button:nth-child(3)");
-        browser.until("document.querySelector('#plans option[value=station-keep]') !== null");
-        browser.value("document.getElementById('plans').value = 'station-keep'");
-        browser.click("#panel .start button.main");
-        browser.click("#tabs button:nth-child(1)");
+        page.join();
+        page.start("station-keep");
         browser.click("#panel button.row");
         browser.until("document.querySelector('.decision .fields') !== null");
         browser.value("document.querySelectorAll('.decision input[type=number]').forEach(one => one.value ||= 1)");
@@ -107,12 +71,8 @@ class SessionPageTest {
 
     @Test
     void halfFilledAnswerStaysWhileAnotherListIsLookedAt() throws Exception {
-        joined();
-        browser.click("#tabs button:nth-child(3)");
-        browser.until("document.querySelector('#plans option[value=station-keep]') !== null");
-        browser.value("document.getElementById('plans').value = 'station-keep'");
-        browser.click("#panel .start button.main");
-        browser.click("#tabs button:nth-child(1)");
+        page.join();
+        page.start("station-keep");
         browser.click("#panel button.row");
         browser.click(".decision .draw button");
         double[] middle = browser.middle("#map");
@@ -130,7 +90,7 @@ class SessionPageTest {
 
     @Test
     void noteIsInEverybodysNews() throws Exception {
-        joined();
+        page.join();
         browser.click("#tabs button:nth-child(4)");
         browser.type("#note", "weed near the pier");
         browser.click("#panel .note button");
@@ -148,7 +108,7 @@ class SessionPageTest {
                     .connect(new BoatAddress(
                             boat.address().getAddress().getHostAddress(),
                             boat.address().getPort()));
-            joined();
+            page.join();
             browser.click("#tabs button:nth-child(2)");
             browser.until("document.querySelector('#panel button.row') !== null"
                     + " && document.querySelector('#panel button.row').textContent.includes('%')");
@@ -175,7 +135,7 @@ class SessionPageTest {
 
     @Test
     void wrongKeyIsSaidAtTheLogin() throws Exception {
-        join("another key");
+        page.join("another key");
 
         browser.until("document.getElementById('login-fault').textContent !== ''");
         assertThat(browser.value("document.getElementById('login').hidden").asBoolean())
@@ -184,7 +144,7 @@ class SessionPageTest {
 
     @Test
     void stopThatIsHeldStopsTheFleet() throws Exception {
-        joined();
+        page.join();
         double[] stop = browser.middle("#stop");
         browser.press(stop[0], stop[1]); // a touch by accident
         assertThat(browser.value("document.getElementById('stop').classList.contains('held')")
@@ -200,17 +160,17 @@ class SessionPageTest {
 
     @Test
     void pageSaysWhenItHasLostTheSession() throws Exception {
-        joined();
+        page.join();
         browser.until("document.getElementById('state').textContent.includes('0 of 0')");
 
-        server.close();
+        page.server.close();
 
         browser.until("document.getElementById('state').textContent.startsWith('Last seen ')");
     }
 
     @Test
     void everyFileThatThePageNeedsIsServed() throws Exception {
-        joined();
+        page.join();
 
         browser.until("performance.getEntriesByType('resource').length > 6");
         assertThat(browser.value("performance.getEntriesByType('resource').filter(one => one.responseStatus >= 400)"
