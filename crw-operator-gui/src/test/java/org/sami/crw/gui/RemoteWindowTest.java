@@ -38,6 +38,7 @@ import org.sami.spn.model.Project;
 import org.sami.ui.EventThread;
 import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
+import org.sami.ui.command.Command;
 import org.sami.ui.look.Look;
 import org.sami.ui.window.WindowSettings;
 
@@ -112,6 +113,59 @@ class RemoteWindowTest {
             });
             assertThat(ended.get(300, TimeUnit.SECONDS)).isZero();
             assertThat(session.faults().failure()).isEmpty();
+        }
+    }
+
+    @Test
+    void observerSeesWhatItMayNotDoAsLockedAndCanStopTheFleet() throws Exception {
+        RealDisplay.assumed();
+        DomainLibrary library =
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+        Project project = new ProjectReader(library.vocabulary()).read(PROJECT).orThrow();
+        JournalHeader header = JournalHeader.of(PROJECT, library.files().texts(), Map.of());
+        PeopleFile people = new PeopleFile(folder.resolve("people"));
+        people.add(new Person("anna", PersonRole.OBSERVER, List.of(), PersonKey.hash("key of anna")));
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        try (Session session = Session.open(
+                        SessionSetup.of(library.vocabulary(), project).with(SessionJournal.none(header)));
+                SessionServer server = SessionServer.start(session, people, ServerAddress.onThisMachine(0))) {
+            session.begin();
+            RemoteWindow window = open(server, ended);
+            WindowRobot robot = new WindowRobot();
+            robot.untilSaid("connection", "Session at ws://127.0.0.1:");
+
+            assertThat(window.commands().get("mission-start").whyNot())
+                    .contains("your role in this session, observer, may not start or end missions");
+            assertThat(window.commands().get("boat-by-hand").whyNot().orElseThrow())
+                    .endsWith("may not drive boats");
+            assertThat(window.commands().all())
+                    .filteredOn(command -> command.whyNot().orElse("").startsWith("your role in this session, "))
+                    .extracting(Command::id)
+                    .containsExactlyInAnyOrder(
+                            "decision-answer",
+                            "decision-refuse",
+                            "decision-stop-timer",
+                            "decision-draw",
+                            "alarm-acknowledge",
+                            "message-acknowledge",
+                            "allocation-give",
+                            "fleet-release",
+                            "fleet-release-confirm",
+                            "mission-start",
+                            "mission-start-with",
+                            "mission-abort",
+                            "mission-complete",
+                            "global-set",
+                            "boat-add-simulated",
+                            "address-give-up",
+                            "boat-by-hand",
+                            "boat-cancel-command");
+            assertThat(window.commands().get("fleet-stop").isEnabled()).isTrue();
+            WindowRobot.ask(() -> {
+                window.end();
+                return true;
+            });
+            assertThat(ended.get(300, TimeUnit.SECONDS)).isZero();
         }
     }
 

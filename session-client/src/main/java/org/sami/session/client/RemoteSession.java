@@ -122,6 +122,11 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         return login.name();
     }
 
+    /** What that person may do, as of the last login. */
+    public PersonRights rights() {
+        return follower.rights();
+    }
+
     private FollowedSession followed() {
         return follower.shown().join().followed();
     }

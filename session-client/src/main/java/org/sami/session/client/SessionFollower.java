@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.time.LocalTime;
 import java.time.format.DateTimeFormatter;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
@@ -32,6 +33,7 @@ final class SessionFollower implements LinkListener {
     private final SessionLink link;
     private Optional<LocalTime> seen = Optional.empty();
     private boolean away;
+    private volatile PersonRights rights = new PersonRights("", Set.of());
 
     /**
      * Follows nothing yet.
@@ -78,8 +80,14 @@ final class SessionFollower implements LinkListener {
         link.close();
     }
 
+    /** What the person may do, as of the last login. From any thread. */
+    PersonRights rights() {
+        return rights;
+    }
+
     @Override
     public void welcomed(JsonNode message) {
+        rights = PersonRights.of(message);
         ObjectNode follow = ServerRequests.message("follow");
         copy().filter(known -> !known.id().isEmpty())
                 .ifPresent(known -> follow.put("session", known.id()).put("after", known.reached()));

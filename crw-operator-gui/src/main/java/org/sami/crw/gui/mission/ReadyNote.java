@@ -51,6 +51,14 @@ final class ReadyNote extends JLabel {
         }
     }
 
+    /** The key that opens the list with the reasons, where the window has that list: one of a session elsewhere has not. */
+    private String whereReasonsAre() {
+        return context.commands()
+                .find("boats-near")
+                .map(list -> " (" + list.keyText() + " says why)")
+                .orElse("");
+    }
+
     /**
      * Says how boats are now; to be called a few times a second.
      *
@@ -70,7 +78,7 @@ final class ReadyNote extends JLabel {
             told.add(missing.get(0) + (missing.size() > 1 ? "; and " + (missing.size() - 1) + " more" : ""));
         }
         if (!words.isEmpty()) {
-            told.add(words + " (Ctrl+N says why)");
+            told.add(words + whereReasonsAre());
         }
         String text = told.isEmpty() ? "" : context.say("△ " + String.join(" · ", told));
         if (!text.equals(getText())) {

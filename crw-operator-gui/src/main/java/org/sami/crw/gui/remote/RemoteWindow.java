@@ -25,7 +25,6 @@ import org.sami.palette.ProxyMarks;
 import org.sami.session.client.RemoteSession;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandKeys;
-import org.sami.ui.command.CommandPolicy;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.DockArea;
 import org.sami.ui.sheet.WindowSheet;
@@ -72,7 +71,7 @@ public final class RemoteWindow {
         RobotKind robots = HandlerModules.robotsOf(session.vocabulary());
         context = new OperatorContext(
                 session,
-                new CommandRegistry(CommandPolicy.ALL, robots::say),
+                new CommandRegistry(new RightsPolicy(session.rights()), robots::say),
                 new ProxyMarks(),
                 new BoatSelection(),
                 new Notices(robots::say));

@@ -1,0 +1,68 @@
+package org.sami.crw.gui.remote;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.sami.session.client.PersonRights;
+import org.sami.ui.command.CommandPolicy;
+
+/**
+ * Locks the commands for which a person lacks the right in a session elsewhere, so that nobody presses what its server would refuse. The fleet stop is
+ * everybody's.
+ */
+final class RightsPolicy implements CommandPolicy {
+    /** The commands of each right, and what they do in words. */
+    private enum Needed {
+        ANSWER(
+                "answer decisions",
+                "decision-answer",
+                "decision-refuse",
+                "decision-stop-timer",
+                "decision-draw",
+                "alarm-acknowledge",
+                "message-acknowledge",
+                "allocation-give"),
+        PRESS("release the fleet", "fleet-release", "fleet-release-confirm"),
+        START(
+                "start or end missions",
+                "mission-start",
+                "mission-start-with",
+                "mission-abort",
+                "mission-complete",
+                "global-set",
+                "boat-add-simulated",
+                "address-give-up"),
+        DRIVE("drive boats", "boat-by-hand", "boat-cancel-command");
+
+        private final String words;
+        private final List<String> commands;
+
+        Needed(String words, String... commands) {
+            this.words = words;
+            this.commands = List.of(commands);
+        }
+
+        private String right() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    private final Map<String, String> locked = new HashMap<>();
+
+    /** Locks what a person may not do. */
+    RightsPolicy(PersonRights person) {
+        for (Needed needed : Needed.values()) {
+            if (!person.has(needed.right())) {
+                needed.commands.forEach(command -> locked.put(
+                        command, "your role in this session, " + person.role() + ", may not " + needed.words));
+            }
+        }
+    }
+
+    @Override
+    public Optional<String> whyLocked(String id) {
+        return Optional.ofNullable(locked.get(id));
+    }
+}
