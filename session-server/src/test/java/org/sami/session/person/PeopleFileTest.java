@@ -1,12 +1,14 @@
 package org.sami.session.person;
 
+import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.SecureRandom;
 import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -17,13 +19,41 @@ class PeopleFileTest {
     @Test
     void keepsHashesOfKeysOnly() throws Exception {
         PeopleFile people = new PeopleFile(folder.resolve("people"));
-        String key = PersonKey.generate(new SecureRandom());
+        String key = PersonKey.generate();
         people.add(new Person("anna", PersonRole.PILOT, List.of("OperatorApprove"), PersonKey.hash(key)));
 
         assertThat(Files.readString(people.file())).doesNotContain(key);
         assertThat(people.login("anna", key)).contains(people.all().get(0));
         assertThat(people.login("anna", key + "x")).isEmpty();
         assertThat(people.all().get(0).decisions()).containsExactly("OperatorApprove");
+    }
+
+    @Test
+    void sixWordsCountHoweverTheyAreTyped() throws Exception {
+        PeopleFile people = new PeopleFile(folder.resolve("people"));
+        String key = PersonKey.generate();
+        people.add(new Person("anna", PersonRole.PILOT, List.of(), PersonKey.hash(key)));
+        String[] words = key.split(" ");
+
+        assertThat(words).hasSize(6);
+        assertThat(people.login("anna", key.toUpperCase(Locale.ROOT).replace(' ', '-')))
+                .isPresent();
+        assertThat(people.login(
+                        "anna",
+                        Stream.of(words).map(word -> word.substring(0, 4)).collect(joining("."))))
+                .isPresent();
+        assertThat(people.login("anna", String.join(" ", List.of(words).subList(0, 5))))
+                .isEmpty();
+    }
+
+    @Test
+    void keyOfAnEarlierListStillCounts() throws Exception {
+        PeopleFile people = new PeopleFile(folder.resolve("people"));
+        String sha256OfOldKey = "762c08fc17a1cc5f00d248f8b50f2f2f4d17ff2934ac31e64deacb3f5bb3f2ec";
+        people.add(new Person("anna", PersonRole.PILOT, List.of(), sha256OfOldKey));
+
+        assertThat(people.login("anna", "old-key")).isPresent();
+        assertThat(people.login("anna", "older-key")).isEmpty();
     }
 
     @Test

@@ -1,7 +1,6 @@
 package org.sami.crw.cli.key;
 
 import java.io.IOException;
-import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.crw.cli.output.ExitCode;
@@ -61,17 +60,18 @@ public final class PeopleCommand implements Runnable {
                             paramLabel = "TYPE",
                             split = ",",
                             description =
-                                    "Answers only decisions of these types, such as OperatorApprove (default: those of the role).")
+                                    "Answers only decisions of these types, such as OperatorApprove (default: those of"
+                                            + " the role).")
                     List<String> decisions)
             throws IOException {
-        String key = PersonKey.generate(new SecureRandom());
+        String key = PersonKey.generate();
         PersonRole is = PersonRole.of(role)
                 .orElseThrow(() -> new UsageFault("--role: '" + role + "' is none of operator, pilot, observer"));
         UsageFault.of(() -> {
             people.list().add(new Person(name, is, decisions == null ? List.of() : decisions, PersonKey.hash(key)));
             return key;
         });
-        print(name + " is " + is.word() + "; the key, which is printed this once:");
+        print(name + " is " + is.word() + "; the key, six words, which are printed this once:");
         print(key);
         return ExitCode.OK;
     }
