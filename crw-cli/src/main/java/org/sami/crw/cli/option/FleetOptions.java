@@ -13,6 +13,7 @@ import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
 import org.sami.spn.value.GeoPoint;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options that say which robots a run has, where they lie, and how simulated boats fare. */
@@ -101,13 +102,16 @@ final class FleetOptions {
                     + " docs/command-line.md). Boats that see one give way to it (default: none).")
     private @Nullable Path vessels;
 
+    @Mixin
+    private LayerOptions layers = new LayerOptions();
+
     /**
      * The fleet of a run.
      *
      * @param connected how many boats are connected; 0 where the run simulates its own
      * @param seed of all that is drawn
      * @param water of boats in this process
-     * @param folder that the file of vessels is looked for in
+     * @param folder that the files of vessels and layers are looked for in
      * @throws UsageFault for an option out of its limits
      * @throws IllegalArgumentException if options do not go together
      */
@@ -125,7 +129,8 @@ final class FleetOptions {
         FleetSettings ranging = rangeM == null ? fleet : fleet.withRangeM(rangeM);
         FleetSettings using = energy == null ? ranging : ranging.with(energy(energy));
         FleetSettings linked = radio == null ? using : using.over(radio(radio));
-        return vessels == null ? linked : linked.among(VesselsFile.read(folder.resolve(vessels), "--vessels"));
+        FleetSettings layered = linked.on(layers.layers(folder));
+        return vessels == null ? layered : layered.among(VesselsFile.read(folder.resolve(vessels), "--vessels"));
     }
 
     private static Energy energy(String text) {

@@ -20,6 +20,7 @@ import org.sami.crw.cli.option.JournalConverter;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.NetworkOption;
 import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.option.LayerOptions;
 import org.sami.crw.cli.option.VesselsFile;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
@@ -106,6 +107,9 @@ final class SessionOptions {
             description = "Other vessels and drifting objects on the water of simulated boats (JSON; see"
                     + " docs/command-line.md), from the launch of the first boat on.")
     private @Nullable Path vessels;
+
+    @Mixin
+    private LayerOptions layers = new LayerOptions();
 
     @Option(
             names = "--mavlink",
@@ -255,6 +259,7 @@ final class SessionOptions {
         Conditions ofSimulated = asked.water().map(NamedConditions::conditions).orElse(Conditions.CALM);
         SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(
                 1, ofSimulated, HandlerModules.robotsOf(asked.setup().vocabulary()));
+        simulated.on(layers.layers(Path.of("")));
         if (vessels != null) {
             simulated.among(VesselsFile.read(vessels, "--vessels"));
         }

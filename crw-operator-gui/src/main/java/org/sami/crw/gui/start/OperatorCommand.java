@@ -12,12 +12,14 @@ import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.ConditionsConverter;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.NetworkOption;
+import org.sami.crw.cli.option.LayerOptions;
 import org.sami.crw.cli.option.VesselsFile;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.cli.run.RemoteOptions;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.DomainLibrary;
@@ -109,6 +111,9 @@ public final class OperatorCommand implements Callable<Integer> {
             description = "Other vessels and drifting objects on the water of simulated boats (JSON; see"
                     + " docs/command-line.md), from the launch of the first boat on.")
     private @Nullable Path vessels;
+
+    @Mixin
+    private LayerOptions layers = new LayerOptions();
 
     @Option(
             names = "--data",
@@ -204,12 +209,21 @@ public final class OperatorCommand implements Callable<Integer> {
                 new StartOptions.Near(near, network.address()),
                 domain.equals(StartOptions.BOATS) ? domain : shipped(),
                 vessels(),
+                layers(),
                 Optional.of(remote).filter(RemoteOptions::isGiven));
     }
 
     private ForeignVessels vessels() {
         try {
             return vessels == null ? ForeignVessels.NONE : VesselsFile.read(vessels, "--vessels");
+        } catch (UsageFault e) {
+            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+        }
+    }
+
+    private WaterLayers layers() {
+        try {
+            return layers.layers(Path.of(""));
         } catch (UsageFault e) {
             throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
         }

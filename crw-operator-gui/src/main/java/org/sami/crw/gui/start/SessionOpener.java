@@ -19,6 +19,7 @@ import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.journal.JournalHeader;
@@ -47,6 +48,7 @@ public final class SessionOpener {
     private final boolean beginsBuiltIn;
     private final String domain;
     private ForeignVessels vessels = ForeignVessels.NONE;
+    private WaterLayers layers = WaterLayers.NONE;
     private Optional<NamedConditions> named = Optional.empty();
     private Optional<SimulatedBoatsOnTcp> simulated = Optional.empty();
 
@@ -65,6 +67,7 @@ public final class SessionOpener {
                 options.hasBuiltInFleet(),
                 options.domain());
         vessels = options.vessels();
+        layers = options.layers();
     }
 
     /**
@@ -188,6 +191,7 @@ public final class SessionOpener {
         SimulatedBoatsOnTcp launcher = new SimulatedBoatsOnTcp(
                 1, water.map(NamedConditions::conditions).orElse(Conditions.CALM), robots);
         launcher.among(vessels);
+        launcher.on(layers);
         simulated = Optional.of(launcher);
         SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess()
                 .withFront(EventThread.executor())

@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.sami.crw.cli.run.RemoteOptions;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.palette.Theme;
 
@@ -24,6 +25,7 @@ import org.sami.palette.Theme;
  * @param near how boats are found on the network
  * @param domain whose plans are run, by the name of its folder
  * @param vessels on the water of simulated boats
+ * @param layers of that water, by place
  * @param remote the session in another process that is to be shown, instead of one here
  */
 public record StartOptions(
@@ -38,6 +40,7 @@ public record StartOptions(
         Near near,
         String domain,
         ForeignVessels vessels,
+        WaterLayers layers,
         Optional<RemoteOptions> remote) {
     /** The domain of the boats. */
     public static final String BOATS = "crw";
@@ -53,7 +56,7 @@ public record StartOptions(
         public static final Near WHEN_ASKED = new Near(false, Optional.empty());
     }
 
-    /** A session of this process on water without foreign vessels, or a replay. */
+    /** A session of this process on water without foreign vessels and the same everywhere, or a replay. */
     public StartOptions(
             List<BoatAddress> boats,
             Optional<Path> project,
@@ -77,6 +80,7 @@ public record StartOptions(
                 near,
                 domain,
                 ForeignVessels.NONE,
+                WaterLayers.NONE,
                 Optional.empty());
     }
 

@@ -31,6 +31,7 @@ import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.sim.hull.Instruments;
 import org.sami.crw.sim.hull.Quay;
 import org.sami.crw.sim.hull.SimulatedHull;
+import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.picture.BoatsInSight;
 import org.sami.crw.sim.picture.DrawingCamera;
 import org.sami.crw.sim.picture.Scene;
@@ -77,13 +78,14 @@ public final class BoatOnTcp implements Closeable {
     public BoatOnTcp(
             BoatSettings settings, SteadyClock clock, TcpServerListener listener, UnaryOperator<TcpServerConfig> links)
             throws IOException {
-        this(settings, clock, listener, links, new BoatsInSight(), Optional.empty());
+        this(settings, clock, listener, links, new BoatsInSight(), Optional.empty(), WaterLayers.NONE);
     }
 
     /**
      * Launches the boat on the water of other boats, which its camera sees.
      *
      * @param vessels that it looks out for; empty where there are none
+     * @param layers of the water, by place
      * @throws IOException if its port or its log cannot be had
      */
     BoatOnTcp(
@@ -92,7 +94,8 @@ public final class BoatOnTcp implements Closeable {
             TcpServerListener listener,
             UnaryOperator<TcpServerConfig> links,
             BoatsInSight water,
-            Optional<VesselsAround> vessels)
+            Optional<VesselsAround> vessels,
+            WaterLayers layers)
             throws IOException {
         name = settings.name();
         this.water = water;
@@ -102,6 +105,7 @@ public final class BoatOnTcp implements Closeable {
         vessels.filter(any -> hull.altM().isEmpty())
                 .map(around -> around.of(hull, clock))
                 .ifPresent(lookout -> instruments.lookOut(lookout, lookout::inSight));
+        instruments.on(layers);
         hull.setBatteryPercent(settings.batteryPercent());
         batteryPercent = settings.batteryPercent();
         hull.setQuay(Quay.atOrigin());

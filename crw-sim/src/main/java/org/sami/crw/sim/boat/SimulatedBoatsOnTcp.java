@@ -21,6 +21,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.SimulatedBoats;
 import org.sami.crw.session.picture.SessionPictures;
 import org.sami.crw.sim.hull.Conditions;
+import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.picture.BoatsInSight;
 import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.spn.value.GeoPoint;
@@ -38,6 +39,7 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
     private final Map<BoatOnTcp, BoatCompanion> companions = new LinkedHashMap<>();
     private Optional<Companions> company = Optional.empty();
     private final BoatsInSight water = new BoatsInSight();
+    private WaterLayers layers = WaterLayers.NONE;
     private ForeignVessels foreign = ForeignVessels.NONE;
     private Optional<VesselsAround> vessels = Optional.empty(); // once a boat was launched among them
     private Optional<Path> pictures = Optional.empty();
@@ -87,7 +89,7 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
                 .on(conditions.of(robots))
                 .withPicturesIn(pictures().resolve(boat));
         BoatOnTcp launched =
-                new BoatOnTcp(settings, clock, TcpServerListener.NONE, UnaryOperator.identity(), water, vessels(at));
+                new BoatOnTcp(settings, clock, TcpServerListener.NONE, UnaryOperator.identity(), water, vessels(at), layers);
         boats.add(launched);
         company.ifPresent(each -> attach(each, launched));
         BaseProtection.ofThisProcess().linkPlainly(launched.address(), true);
@@ -99,6 +101,11 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
     /** Has these vessels on the water, from the launch of the first boat on; to be called before it. */
     public synchronized void among(ForeignVessels others) {
         foreign = others;
+    }
+
+    /** Has boats that are launched from now on on water that differs by place. */
+    public synchronized void on(WaterLayers newLayers) {
+        layers = newLayers;
     }
 
     private Optional<VesselsAround> vessels(GeoPoint berth) {

@@ -7,6 +7,7 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.HullConfig;
+import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.link.PipeConfig;
 import org.sami.crw.sim.link.Radio;
 import org.sami.crw.sim.vessel.ForeignVessels;
@@ -19,6 +20,7 @@ import org.sami.crw.sim.vessel.ForeignVessels;
  * @param trackEveryMs virtual time between two points of the recorded tracks
  * @param radio over which the links are: a boat out of its range has no link
  * @param vessels that are not of the fleet, on the plane of the fleet
+ * @param layers of the water, by place
  */
 public record FleetConfig(
         HullConfig hull,
@@ -28,7 +30,8 @@ public record FleetConfig(
         UnaryOperator<ServerConfig.Builder> server,
         long trackEveryMs,
         Radio radio,
-        ForeignVessels vessels) {
+        ForeignVessels vessels,
+        WaterLayers layers) {
 
     /** The defaults of all parts; tracks at 1 Hz. */
     public static final FleetConfig DEFAULT = new FleetConfig(
@@ -39,7 +42,8 @@ public record FleetConfig(
             UnaryOperator.identity(),
             1000,
             Radio.PERFECT,
-            ForeignVessels.NONE);
+            ForeignVessels.NONE,
+            WaterLayers.NONE);
 
     /** Refuses tracks without a period. */
     public FleetConfig {
@@ -50,6 +54,7 @@ public record FleetConfig(
         Objects.requireNonNull(server, "server");
         Objects.requireNonNull(radio, "radio");
         Objects.requireNonNull(vessels, "vessels");
+        Objects.requireNonNull(layers, "layers");
         if (trackEveryMs < SimulatedFleet.TICK_MS) {
             throw new IllegalArgumentException("a track point every " + trackEveryMs + " ms");
         }
@@ -62,32 +67,32 @@ public record FleetConfig(
 
     /** The same with other hulls. */
     public FleetConfig withHull(HullConfig newHull) {
-        return new FleetConfig(newHull, conditions, pipe, proxy, server, trackEveryMs, radio, vessels);
+        return new FleetConfig(newHull, conditions, pipe, proxy, server, trackEveryMs, radio, vessels, layers);
     }
 
     /** The same on other water. */
     public FleetConfig withConditions(Conditions newConditions) {
-        return new FleetConfig(hull, newConditions, pipe, proxy, server, trackEveryMs, radio, vessels);
+        return new FleetConfig(hull, newConditions, pipe, proxy, server, trackEveryMs, radio, vessels, layers);
     }
 
     /** The same for who notes down tracks otherwise: boats only know where they began. */
     public FleetConfig withoutTracks() {
-        return new FleetConfig(hull, conditions, pipe, proxy, server, Long.MAX_VALUE, radio, vessels);
+        return new FleetConfig(hull, conditions, pipe, proxy, server, Long.MAX_VALUE, radio, vessels, layers);
     }
 
     /** The same with other links. */
     public FleetConfig withPipe(PipeConfig newPipe) {
-        return new FleetConfig(hull, conditions, newPipe, proxy, server, trackEveryMs, radio, vessels);
+        return new FleetConfig(hull, conditions, newPipe, proxy, server, trackEveryMs, radio, vessels, layers);
     }
 
     /** The same with another base side. */
     public FleetConfig withProxy(ProxyConfig newProxy) {
-        return new FleetConfig(hull, conditions, pipe, newProxy, server, trackEveryMs, radio, vessels);
+        return new FleetConfig(hull, conditions, pipe, newProxy, server, trackEveryMs, radio, vessels, layers);
     }
 
     /** The same with other boat servers. */
     public FleetConfig withServer(UnaryOperator<ServerConfig.Builder> newServer) {
-        return new FleetConfig(hull, conditions, pipe, proxy, newServer, trackEveryMs, radio, vessels);
+        return new FleetConfig(hull, conditions, pipe, proxy, newServer, trackEveryMs, radio, vessels, layers);
     }
 
     /** The same with links over a radio. */
@@ -101,11 +106,17 @@ public record FleetConfig(
                 builder -> before.apply(builder).lostLinkAction(newRadio.lostLink()),
                 trackEveryMs,
                 newRadio,
-                vessels);
+                vessels,
+                layers);
     }
 
     /** The same on water with other vessels. */
     public FleetConfig withVessels(ForeignVessels others) {
-        return new FleetConfig(hull, conditions, pipe, proxy, server, trackEveryMs, radio, others);
+        return new FleetConfig(hull, conditions, pipe, proxy, server, trackEveryMs, radio, others, layers);
+    }
+
+    /** The same on water that differs by place. */
+    public FleetConfig withLayers(WaterLayers newLayers) {
+        return new FleetConfig(hull, conditions, pipe, proxy, server, trackEveryMs, radio, vessels, newLayers);
     }
 }

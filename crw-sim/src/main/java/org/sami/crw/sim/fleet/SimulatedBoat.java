@@ -74,6 +74,7 @@ public final class SimulatedBoat {
                     config.vessels(), config.conditions(), frame, hull::eastM, hull::northM, () -> nowMs / 1000.0);
             instruments.lookOut(lookout, lookout::inSight);
         }
+        instruments.on(config.layers());
         GeoPoint home = GeoPoint.of(hull.latDeg(), hull.lonDeg());
         camera = new RecordingCamera(id, () -> ahead(fieldSeed, home));
         hull.setCamera(camera);

@@ -12,6 +12,8 @@ import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Sensor;
 import org.sami.boat.server.vehicle.Vehicle;
 import org.sami.boat.server.vehicle.VesselInSight;
+import org.sami.crw.sim.layer.Sonar;
+import org.sami.crw.sim.layer.WaterLayers;
 
 /**
  * A hull as its boat server knows it: through a GPS and a compass whose errors wander, and through its sensors. The truth stays
@@ -21,9 +23,11 @@ public final class Instruments implements Vehicle {
     private static final double GPS_S = 20; // a receiver filters: its error is nearly the same a second later
     private static final long JUMP_SEED = 0x6a756d70L; // drawn apart, so that what does not jump is as it always was
     private static final long FIXES_SEED = 0x66697865L; // likewise
+    private static final long SONAR_SEED = 0x736f6e61L; // likewise
     private static final double COMPASS_S = 2; // waves
 
     private final SimulatedHull hull;
+    private final long seed;
     private final GaussMarkovError eastM;
     private final GaussMarkovError northM;
     private final GaussMarkovError headingRad;
@@ -46,6 +50,7 @@ public final class Instruments implements Vehicle {
      */
     public Instruments(SimulatedHull hull, Conditions conditions, long seed, long fieldSeed) {
         this.hull = hull;
+        this.seed = seed;
         SplittableRandom seeds = new SplittableRandom(seed);
         fixes = conditions.receiver() == Receiver.LOGGED
                 ? Optional.of(new LoggedFixes(new SplittableRandom(seed ^ FIXES_SEED)))
@@ -78,6 +83,16 @@ public final class Instruments implements Vehicle {
     public void lookOut(Sensor reports, Supplier<List<VesselInSight>> inSight) {
         sensors.add(reports);
         vesselsInSight = inSight;
+    }
+
+    /** Puts a boat on water that differs by place, which carries the hull and which its sonar measures; before the server asks for the sensors. */
+    public void on(WaterLayers layers) {
+        if (hull.altM().isEmpty()) {
+            layers.currents().ifPresent(hull::setCurrents);
+            layers.depths()
+                    .ifPresent(depths ->
+                            sensors.add(new Sonar(depths, hull::latDeg, hull::lonDeg, seed ^ SONAR_SEED)));
+        }
     }
 
     @Override

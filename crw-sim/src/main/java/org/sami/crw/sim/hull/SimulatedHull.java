@@ -8,6 +8,7 @@ import org.sami.boat.server.vehicle.CameraShot;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.boat.server.vehicle.PlaneMath;
 import org.sami.boat.server.vehicle.Vehicle;
+import org.sami.crw.sim.layer.CurrentField;
 
 /**
  * A hull with two motors, of a boat or, with {@link Rotors}, of a copter, moved by kinematics: the sum of the efforts sets the speed, their difference the turn rate, both
@@ -163,6 +164,11 @@ public final class SimulatedHull implements Vehicle {
     public void setMotors(double portEffort, double starboardEffort) {
         port = effort(portEffort);
         starboard = effort(starboardEffort);
+    }
+
+    /** From now on a boat is also carried by the current at its place. */
+    public void setCurrents(CurrentField currents) {
+        weather.setCurrents(currents, this::latDeg, this::lonDeg);
     }
 
     /** From now on there is a quay where its battery is swapped. */

@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Energy;
+import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.link.Radio;
 import org.sami.crw.sim.vessel.ForeignVessels;
 
@@ -122,6 +123,11 @@ public record FleetSettings(
     /** The same fleet on water with other vessels. */
     public FleetSettings among(ForeignVessels others) {
         return faring(inProcess.among(others));
+    }
+
+    /** The same fleet on water that differs by place. */
+    public FleetSettings on(WaterLayers layers) {
+        return faring(inProcess.on(layers));
     }
 
     private FleetSettings faring(InProcessBoats other) {

@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Energy;
+import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.link.Radio;
 import org.sami.crw.sim.vessel.ForeignVessels;
 
@@ -17,6 +18,7 @@ import org.sami.crw.sim.vessel.ForeignVessels;
  * @param radio between base and boats; the base's is in the middle of the quay
  * @param energy what decides how much charge boats use
  * @param vessels on the water that are not of the fleet
+ * @param layers of the water, by place
  */
 public record InProcessBoats(
         Conditions conditions,
@@ -24,7 +26,8 @@ public record InProcessBoats(
         OptionalDouble rangeM,
         Radio radio,
         Energy energy,
-        ForeignVessels vessels) {
+        ForeignVessels vessels,
+        WaterLayers layers) {
     /** The shortest range, in metres. */
     public static final double SHORTEST_RANGE_M = 100;
 
@@ -38,7 +41,8 @@ public record InProcessBoats(
             OptionalDouble.empty(),
             Radio.PERFECT,
             Energy.PER_METRE,
-            ForeignVessels.NONE);
+            ForeignVessels.NONE,
+            WaterLayers.NONE);
 
     /**
      * Boats within the limits.
@@ -51,6 +55,7 @@ public record InProcessBoats(
         Objects.requireNonNull(radio, "radio");
         Objects.requireNonNull(energy, "energy");
         Objects.requireNonNull(vessels, "vessels");
+        Objects.requireNonNull(layers, "layers");
         double metres = rangeM.orElse(SHORTEST_RANGE_M);
         if (!(metres >= SHORTEST_RANGE_M && metres <= LONGEST_RANGE_M)) {
             throw new IllegalArgumentException("a full battery lasts for 100 to 1000000 m, not " + metres);
@@ -61,27 +66,31 @@ public record InProcessBoats(
     }
 
     InProcessBoats on(Conditions water) {
-        return new InProcessBoats(water, charges, rangeM, radio, energy, vessels);
+        return new InProcessBoats(water, charges, rangeM, radio, energy, vessels, layers);
     }
 
     InProcessBoats with(InitialCharges others) {
-        return new InProcessBoats(conditions, others, rangeM, radio, energy, vessels);
+        return new InProcessBoats(conditions, others, rangeM, radio, energy, vessels, layers);
     }
 
     InProcessBoats withRangeM(double metres) {
-        return new InProcessBoats(conditions, charges, OptionalDouble.of(metres), radio, energy, vessels);
+        return new InProcessBoats(conditions, charges, OptionalDouble.of(metres), radio, energy, vessels, layers);
     }
 
     InProcessBoats over(Radio other) {
-        return new InProcessBoats(conditions, charges, rangeM, other, energy, vessels);
+        return new InProcessBoats(conditions, charges, rangeM, other, energy, vessels, layers);
     }
 
     InProcessBoats with(Energy other) {
-        return new InProcessBoats(conditions, charges, rangeM, radio, other, vessels);
+        return new InProcessBoats(conditions, charges, rangeM, radio, other, vessels, layers);
     }
 
     InProcessBoats among(ForeignVessels others) {
-        return new InProcessBoats(conditions, charges, rangeM, radio, energy, others);
+        return new InProcessBoats(conditions, charges, rangeM, radio, energy, others, layers);
+    }
+
+    InProcessBoats on(WaterLayers newLayers) {
+        return new InProcessBoats(conditions, charges, rangeM, radio, energy, vessels, newLayers);
     }
 
     /**
@@ -104,7 +113,7 @@ public record InProcessBoats(
     /**
      * Refuses what boats behind TCP have themselves.
      *
-     * @throws IllegalArgumentException for sensors, charges, a range, a consumption, a radio or other vessels
+     * @throws IllegalArgumentException for sensors, charges, a range, a consumption, a radio, other vessels or layers
      */
     void requireUnset() {
         if (!conditions.sensors().isEmpty()) {
@@ -123,7 +132,7 @@ public record InProcessBoats(
         if (!radio.isPerfect()) {
             throw new IllegalArgumentException("boats behind TCP have a network of their own, and no simulated radio");
         }
-        if (!vessels.isEmpty()) {
+        if (!vessels.isEmpty() || !layers.isEmpty()) {
             throw new IllegalArgumentException("boats behind TCP have their own water: see crw boat --help");
         }
     }

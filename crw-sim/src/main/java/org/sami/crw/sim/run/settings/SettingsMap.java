@@ -3,6 +3,7 @@ package org.sami.crw.sim.run.settings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -10,6 +11,9 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Energy;
+import org.sami.crw.sim.layer.CurrentField;
+import org.sami.crw.sim.layer.DepthGrid;
+import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.link.Radio;
 import org.sami.crw.sim.vessel.ForeignVessels;
 
@@ -26,6 +30,8 @@ public final class SettingsMap {
     private static final String COPTERS = "copters";
     private static final String RADIO = "radio";
     private static final String VESSELS = "vessels";
+    private static final String DEPTHS = "depths";
+    private static final String CURRENTS = "currents";
 
     private SettingsMap() {}
 
@@ -63,6 +69,9 @@ public final class SettingsMap {
         if (!fleet.inProcess().vessels().isEmpty()) {
             map.put(VESSELS, fleet.inProcess().vessels().toString());
         }
+        WaterLayers layers = fleet.inProcess().layers();
+        layers.depths().ifPresent(depths -> map.put(DEPTHS, depths.toString()));
+        layers.currents().ifPresent(currents -> map.put(CURRENTS, currents.toString()));
         if (fleet.robots() != RobotKind.BOAT) {
             map.put(ROBOTS, fleet.robots().word());
         }
@@ -121,7 +130,10 @@ public final class SettingsMap {
                         : OptionalDouble.empty(),
                 map.containsKey(RADIO) ? Radio.parse(needed(map, RADIO)) : Radio.PERFECT,
                 map.containsKey(ENERGY) ? Energy.parse(needed(map, ENERGY)) : Energy.PER_METRE,
-                map.containsKey(VESSELS) ? ForeignVessels.parse(needed(map, VESSELS)) : ForeignVessels.NONE);
+                map.containsKey(VESSELS) ? ForeignVessels.parse(needed(map, VESSELS)) : ForeignVessels.NONE,
+                new WaterLayers(
+                        Optional.ofNullable(map.get(DEPTHS)).map(DepthGrid::parse),
+                        Optional.ofNullable(map.get(CURRENTS)).map(CurrentField::parse)));
     }
 
     private static void number(Map<String, String> map, String name, List<String> values) {

@@ -55,7 +55,8 @@ public final class SimulatedWater {
                         .withoutTracks()
                         .withConditions(settings.inProcess().conditions().of(settings.robots()))
                         .withRadio(settings.inProcess().radio())
-                        .withVessels(settings.inProcess().vessels()));
+                        .withVessels(settings.inProcess().vessels())
+                        .withLayers(settings.inProcess().layers()));
         for (int i = boats(settings); i < settings.boats(); i++) {
             String copter = settings.boatNames().get(i);
             fleet.join(copter, (i - boats(settings)) * SPACING_M, COPTERS_NORTH_M, HullConfig.COPTER);
