@@ -8,16 +8,18 @@ import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.crw.report.DepthsPart;
 import org.sami.crw.report.PicturesPart;
 import org.sami.crw.report.ReportPart;
 import org.sami.crw.report.RunReport;
+import org.sami.crw.report.picture.DepthPicture;
 import org.sami.crw.report.picture.MapPicture;
 
 /**
  * Writes a report's files into a folder: {@code report.json}, {@code boats.csv}, {@code locations.csv},
  * {@code approaches.csv}, {@code firings.csv}, {@code tracks.csv}, {@code readings.csv}, {@code decisions.csv}, {@code interrupts.csv}, {@code tasks.csv},
  * {@code messages.csv}, {@code phases.csv}, {@code operator.csv},
- * {@code run.gpx}, {@code run.kml}, {@code run.geojson} and {@code map.png}; where boats took pictures also {@code pictures.csv}, the page {@code pictures.html} and the folder
+ * {@code run.gpx}, {@code run.kml}, {@code run.geojson} and {@code map.png}; where boats measured depths also {@code depths.csv} and {@code depths.png}; where they took pictures also {@code pictures.csv}, the page {@code pictures.html} and the folder
  * {@code pictures}. Files of those names are replaced; each appears whole or not at all.
  */
 public final class ReportFolder {
@@ -39,6 +41,8 @@ public final class ReportFolder {
             "run.kml",
             "run.geojson",
             "map.png",
+            "depths.csv",
+            "depths.png",
             "pictures.csv",
             "pictures.html");
 
@@ -52,6 +56,8 @@ public final class ReportFolder {
             "phases.csv",
             "operator.csv",
             "map.geojson",
+            "depths.csv",
+            "depths.png",
             "pictures.csv",
             "pictures.html");
 
@@ -119,6 +125,10 @@ public final class ReportFolder {
                     "pictures.html",
                     PictureFiles.copy(
                             pictures.get(), "Pictures of " + report.header().mission(), folder));
+        }
+        Optional<DepthsPart> depths = report.part(DepthsPart.class);
+        if (depths.isPresent()) {
+            bytes("depths.png", new DepthPicture(report, depths.get()).png());
         }
         for (ReportPart part : report.parts()) {
             text(part.name() + ".csv", ReportTables.of(part).toString());

@@ -71,7 +71,7 @@ public final class MapPicture {
     }
 
     /** Scale bar and north arrow, below the map: on it they would cover something. */
-    private static void below(Graphics2D g, Rectangle map, MapScale scale) {
+    static void below(Graphics2D g, Rectangle map, MapScale scale) {
         double metres = scale.roundMetres(220);
         double length = scale.pixels(metres);
         int y = (int) map.getMaxY() + 48;

@@ -133,6 +133,7 @@ final class InProcessFleet implements RunFleet {
         trueVisits = Optional.of(visits);
         folds.add(visits);
         folds.add(trueTracks);
+        settings.fleet().inProcess().layers().depths().ifPresent(folds.depths()::compareWith);
         if (!settings.fleet().inProcess().vessels().isEmpty()) {
             VesselApproaches approaches =
                     new VesselApproaches(settings.fleet().inProcess().vessels());

@@ -3,9 +3,11 @@ package org.sami.crw.sim.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.report.DepthsPart;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.sim.hull.HullConfig;
@@ -86,6 +88,29 @@ class LayersRunTest {
 
         assertThat(hull.eastM()).isCloseTo(3, within(0.02));
         assertThat(hull.northM()).isCloseTo(0, within(0.02));
+    }
+
+    @Test
+    void anAreaThatIsExploredIsMappedAndComparedWithTheTruth() {
+        RunReport report = TestRuns.run(
+                TestRuns.plan("explore-area"),
+                RunSettings.of("explore-area", "Map", new FleetSettings(2, 6, 100, 1)
+                                .on(new WaterLayers(Optional.of(SLOPE), Optional.empty())))
+                        .parameters(Map.of("@spacing", "10"))
+                        .limitMillis(3_600_000)
+                        .build());
+
+        DepthsPart map = report.part(DepthsPart.class).orElseThrow();
+        assertThat(map.cells()).hasSizeGreaterThan(400); // 100 m by 100 m, in squares of 5 m
+        assertThat(map.leastM()).isGreaterThan(2);
+        assertThat(map.mostM()).isLessThan(10);
+        assertThat(map.error().orElseThrow().meanM()).isBetween(0.001, 0.1);
+        assertThat(map.error().orElseThrow().p95M()).isBetween(0.01, 0.2);
+    }
+
+    @Test
+    void withoutDepthsThereIsNoMap() {
+        assertThat(run(WaterLayers.NONE).part(DepthsPart.class)).isEmpty();
     }
 
     @Test

@@ -22,6 +22,7 @@ public final class ReportFolds {
     private final VisitFold visits;
     private final TrackRecorder tracks = new TrackRecorder();
     private final PlanMap map;
+    private final DepthFold depths;
     private final List<ReportFold> folds = new ArrayList<>();
 
     /**
@@ -35,6 +36,7 @@ public final class ReportFolds {
         mission = new RunMission(missions);
         visits = new VisitFold(plane);
         map = new PlanMap(plane);
+        depths = new DepthFold(plane);
         folds.addAll(List.of(
                 new FiringFold(project),
                 new DecisionFold(),
@@ -45,6 +47,7 @@ public final class ReportFolds {
                 new PhaseRecorder(vocabulary),
                 notes,
                 new ReadingRecorder(),
+                depths,
                 visits,
                 tracks,
                 map)); // the last: it looks at tracks and locations
@@ -70,6 +73,11 @@ public final class ReportFolds {
     /** The locations that boats have reported as visited. */
     public VisitRecorder visits() {
         return visits.visits();
+    }
+
+    /** The map of the depths that boats measured. */
+    public DepthFold depths() {
+        return depths;
     }
 
     /** The boats' tracks. */
