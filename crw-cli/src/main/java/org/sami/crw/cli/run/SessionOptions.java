@@ -36,8 +36,10 @@ import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.session.fault.BoatsAtFault;
 import org.sami.crw.session.fault.FaultPolicy;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.crw.sim.boat.WaterAround;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
+import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
@@ -132,9 +134,15 @@ final class SessionOptions {
      *
      * @param stated the errors of boats that do not report theirs
      * @param water of simulated boats; empty for calm water
+     * @param around what there is on that water
      * @param goesOn whether the journal has a session already
      */
-    private record Asked(SessionSetup setup, NamedConditions stated, Optional<NamedConditions> water, boolean goesOn) {}
+    private record Asked(
+            SessionSetup setup,
+            NamedConditions stated,
+            Optional<NamedConditions> water,
+            WaterAround around,
+            boolean goesOn) {}
 
     /** Begins a session, with the boats that are to be connected. */
     @FunctionalInterface
@@ -203,6 +211,7 @@ final class SessionOptions {
                 SessionSetup.resumed(opened),
                 conditions == null ? NamedConditions.of(settings) : conditions,
                 Optional.ofNullable(conditions).or(() -> NamedConditions.ofWater(settings)),
+                around().orAsBefore(WaterAround.of(settings)),
                 true);
     }
 
@@ -227,6 +236,8 @@ final class SessionOptions {
         NamedConditions stated = conditions == null ? NamedConditions.FIELD : conditions;
         Map<String, String> settings = new HashMap<>(stated.settings());
         Optional.ofNullable(conditions).ifPresent(water -> settings.putAll(water.waterSettings()));
+        WaterAround around = around();
+        settings.putAll(around.settings());
         settings.put("kind", "session");
         JournalHeader header = JournalHeader.of(
                 new ProjectWriter(library.vocabulary()).text(project),
@@ -234,7 +245,14 @@ final class SessionOptions {
                 settings);
         SessionJournal kept = journal == null ? SessionJournal.none(header) : SessionJournal.create(journal, header);
         SessionSetup setup = SessionSetup.of(library.vocabulary(), project).with(kept);
-        return Optional.of(new Asked(setup, stated, Optional.ofNullable(conditions), false));
+        return Optional.of(new Asked(setup, stated, Optional.ofNullable(conditions), around, false));
+    }
+
+    /** What the options name; nothing where they name nothing. */
+    private WaterAround around() {
+        return new WaterAround(
+                vessels == null ? ForeignVessels.NONE : VesselsFile.read(vessels, "--vessels"),
+                layers.layers(Path.of("")));
     }
 
     /** A name that is taken by anything is no new journal. */
@@ -259,10 +277,7 @@ final class SessionOptions {
         Conditions ofSimulated = asked.water().map(NamedConditions::conditions).orElse(Conditions.CALM);
         SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(
                 1, ofSimulated, HandlerModules.robotsOf(asked.setup().vocabulary()));
-        simulated.on(layers.layers(Path.of("")));
-        if (vessels != null) {
-            simulated.among(VesselsFile.read(vessels, "--vessels"));
-        }
+        asked.around().under(simulated);
         StationLinks stations = new StationLinks(simulated);
         if (mavlink != null && simulated.robots() != RobotKind.BOAT) {
             throw new UsageFault("--mavlink shows boats, and this session has none");

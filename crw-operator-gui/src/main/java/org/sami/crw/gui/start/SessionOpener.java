@@ -17,10 +17,9 @@ import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.crw.sim.boat.WaterAround;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
-import org.sami.crw.sim.layer.WaterLayers;
-import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.BoundedFile;
@@ -47,8 +46,7 @@ public final class SessionOpener {
     private final Optional<NamedConditions> conditions;
     private final boolean beginsBuiltIn;
     private final String domain;
-    private ForeignVessels vessels = ForeignVessels.NONE;
-    private WaterLayers layers = WaterLayers.NONE;
+    private WaterAround around = WaterAround.NONE;
     private Optional<NamedConditions> named = Optional.empty();
     private Optional<SimulatedBoatsOnTcp> simulated = Optional.empty();
 
@@ -66,8 +64,7 @@ public final class SessionOpener {
                 options.conditions(),
                 options.hasBuiltInFleet(),
                 options.domain());
-        vessels = options.vessels();
-        layers = options.layers();
+        around = new WaterAround(options.vessels(), options.layers());
     }
 
     /**
@@ -112,6 +109,7 @@ public final class SessionOpener {
         NamedConditions stated = conditions.orElse(NamedConditions.FIELD);
         Map<String, String> settings = new HashMap<>(stated.settings());
         conditions.ifPresent(named -> settings.putAll(named.waterSettings()));
+        settings.putAll(around.settings());
         settings.put("kind", "session");
         settings.put(FLEET, beginsBuiltIn ? BUILT_IN : "real");
         JournalHeader header = JournalHeader.of(
@@ -120,7 +118,7 @@ public final class SessionOpener {
                 settings);
         SessionSetup setup =
                 SessionSetup.of(library.vocabulary(), project).with(SessionJournal.create(data.newJournal(), header));
-        return opened(setup.with(stated.services()), beginsBuiltIn, conditions);
+        return opened(setup.with(stated.services()), beginsBuiltIn, conditions, around);
     }
 
     private Project project(DomainLibrary library) throws IOException {
@@ -168,7 +166,8 @@ public final class SessionOpener {
             return opened(
                     SessionSetup.resumed(journal).with(stated.services()),
                     builtIn && boats.isEmpty(),
-                    conditions.or(() -> NamedConditions.ofWater(settings)));
+                    conditions.or(() -> NamedConditions.ofWater(settings)),
+                    around.orAsBefore(WaterAround.of(settings)));
         } catch (IOException | RuntimeException fault) {
             journal.close();
             throw fault;
@@ -185,13 +184,13 @@ public final class SessionOpener {
         return simulated;
     }
 
-    private Session opened(SessionSetup setup, boolean builtIn, Optional<NamedConditions> water) throws IOException {
+    private Session opened(SessionSetup setup, boolean builtIn, Optional<NamedConditions> water, WaterAround also)
+            throws IOException {
         named = water;
         RobotKind robots = HandlerModules.robotsOf(setup.vocabulary());
         SimulatedBoatsOnTcp launcher = new SimulatedBoatsOnTcp(
                 1, water.map(NamedConditions::conditions).orElse(Conditions.CALM), robots);
-        launcher.among(vessels);
-        launcher.on(layers);
+        also.under(launcher);
         simulated = Optional.of(launcher);
         SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess()
                 .withFront(EventThread.executor())
