@@ -328,4 +328,26 @@ class CheckCommandTest {
             }
         }
     }
+
+    @Test
+    void edgeIsSuggestedNothingWhereNothingIsFound() throws Exception {
+        CommandResult ran = CommandResult.crw("check", "station-keep", "--suggest", edgeOf("station-keep"));
+
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out()).contains("Nothing is found in this plan").contains("states were looked at");
+    }
+
+    @Test
+    void edgeThatNoPlanHasIsRefusedWithThoseThatThereAre() throws Exception {
+        CommandResult ran = CommandResult.crw("check", "station-keep", "--suggest", "nowhere");
+
+        assertThat(ran.exitCode()).isEqualTo(2);
+        assertThat(ran.err()).contains("there is no edge \"nowhere\"").contains(edgeOf("station-keep"));
+    }
+
+    private static String edgeOf(String plan) throws IOException {
+        JsonNode file = new ObjectMapper()
+                .readTree(CLV.resolveSibling(plan + ".json").toFile());
+        return file.at("/plans/0/inEdges/0/id").asText();
+    }
 }
