@@ -21,6 +21,7 @@ import org.sami.dreamm.query.QueryCommands;
 import org.sami.dreamm.query.StatesOfPlan;
 import org.sami.dreamm.query.WitnessOnNet;
 import org.sami.dreamm.replay.ReplayPanel;
+import org.sami.dreamm.suggestion.SuggestionCommands;
 import org.sami.dreamm.tryout.NextStepSearch;
 import org.sami.dreamm.tryout.SavedCases;
 import org.sami.dreamm.tryout.StartMarkingSetup;
@@ -77,6 +78,7 @@ final class RunParts implements AutoCloseable {
             context.editor().planId().ifPresent(plan -> tryOut.play(plan, run));
             show("panel-try-out");
         });
+        SuggestionCommands.addTo(context, searching, EventThread.executor());
         queries = new QueryAnswers(context.document(), context.editor(), searching, EventThread.executor());
         witness = new WitnessOnNet(context.overlay(), overlay);
         states = new StatesOfPlan(context, witness, tryOut::robotNames, searching, EventThread.executor());
