@@ -7,6 +7,7 @@ import java.sql.Connection;
 import java.sql.PreparedStatement;
 import java.sql.SQLException;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.sami.spn.host.JournalException;
 import org.sami.spn.journal.JournalHeader;
@@ -135,6 +136,11 @@ public final class PostgresStore implements JournalStore {
             lease.close();
             throw fault;
         }
+    }
+
+    @Override
+    public void awaitFree(String text, Consumer<String> lines) throws IOException {
+        new LeaseWatch(PostgresAddress.parse(text), lines).await();
     }
 
     /** Makes room behind the last valid entry; what stood there is kept as it was found. */

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.ServiceLoader;
+import java.util.function.Consumer;
 import org.sami.spn.host.JournalException;
 
 /**
@@ -84,6 +85,18 @@ public final class JournalAddress {
      */
     public StoredJournal open(JournalOptions options) throws IOException {
         return store.isPresent() ? store.get().open(text, options) : SqliteJournal.open(file.orElseThrow(), options);
+    }
+
+    /**
+     * Waits until there is a journal that somebody has written and nobody holds any more.
+     *
+     * @param lines what is waited for, for people
+     * @throws IllegalStateException if this is a file, which one laptop has alone
+     * @throws java.io.InterruptedIOException if the thread is interrupted
+     * @throws IOException if the database refuses the first connection; a later fault is waited for
+     */
+    public void awaitFree(Consumer<String> lines) throws IOException {
+        store.orElseThrow(() -> new IllegalStateException(text + " is a file")).awaitFree(text, lines);
     }
 
     /**

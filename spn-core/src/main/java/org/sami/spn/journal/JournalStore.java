@@ -1,6 +1,7 @@
 package org.sami.spn.journal;
 
 import java.io.IOException;
+import java.util.function.Consumer;
 import org.sami.spn.host.JournalException;
 
 /** A kind of database that holds journals; found by {@link java.util.ServiceLoader} when a user names one. Safe for use by several threads. */
@@ -31,6 +32,15 @@ public interface JournalStore {
      * @throws IOException if it cannot be read, or somebody else holds it
      */
     StoredJournal open(String address, JournalOptions options) throws IOException;
+
+    /**
+     * Waits until there is a journal that somebody has written and nobody holds any more.
+     *
+     * @param lines what is waited for, for people
+     * @throws java.io.InterruptedIOException if the thread is interrupted
+     * @throws IOException if the database refuses the first connection; a later fault is waited for
+     */
+    void awaitFree(String address, Consumer<String> lines) throws IOException;
 
     /** Opens a journal to read it. */
     JournalReader read(String address) throws JournalException;

@@ -1,6 +1,7 @@
 package org.sami.crw.cli.run;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
@@ -26,6 +27,7 @@ import org.sami.session.map.TileFile;
 import org.sami.session.person.People;
 import org.sami.session.server.ServerAddress;
 import org.sami.session.server.SessionServer;
+import org.sami.spn.journal.JournalAddress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -37,7 +39,8 @@ import picocli.CommandLine.Spec;
         name = "serve",
         mixinStandardHelpOptions = true,
         description = {
-            "Opens a session and serves it to several people: a page for browsers, and the link of docs/session-link.md.",
+            "Opens a session and serves it to several people: a page for browsers, and the link of"
+                    + " docs/session-link.md.",
             "Without people it listens on this machine only, and everybody on it is an operator. People and their keys:"
                     + " 'crw people add'.",
             "Ends with Ctrl-C; the boats of all missions are stopped then."
@@ -52,6 +55,7 @@ import picocli.CommandLine.Spec;
         },
         footerHeading = "%nExamples:%n",
         footer = {
+            "  crw serve --journal 'postgresql://base-db/boats?user=pilot' --standby",
             "  crw serve --connect 10.0.0.11:11411 --journal today.journal",
             "  crw serve --host 10.0.0.5 --port 8443 --near       people of ~/.config/sami/people log in by https",
             "  crw serve --script boats.txt                       commands of 'crw session' first, such as 'add boat'"
@@ -89,14 +93,43 @@ public final class ServeCommand implements Callable<Integer> {
             description = "Carry out the commands of this file first, as 'crw session' does.")
     private @Nullable Path script;
 
+    @Option(
+            names = "--standby",
+            description = "Wait while another base holds the session of --journal postgresql://..., and go on with it"
+                    + " once that base's lease is over.")
+    private boolean standby;
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         if (script != null && !Files.isReadable(script)) {
             throw new UsageFault("--script: " + script + " cannot be read");
         }
+        if (standby && script != null) {
+            throw new UsageFault("--script is carried out by the base that begins the session, not by --standby");
+        }
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
+            if (standby && !awaitTurn()) {
+                return ExitCode.OK;
+            }
             return options.open(false, (session, begin) -> run(session, begin, stop));
         }
+    }
+
+    /** Waits for the end of the other base; false if Ctrl-C ended the wait. */
+    private boolean awaitTurn() throws IOException {
+        JournalAddress journal = options.journal()
+                .filter(where -> where.file().isEmpty())
+                .orElseThrow(() -> new UsageFault(
+                        "--standby needs a database that both bases reach: --journal postgresql://HOST:PORT/DATABASE"));
+        PrintWriter out = spec.commandLine().getOut();
+        try {
+            journal.awaitFree(line -> print(out, "standby: " + line));
+        } catch (InterruptedIOException ended) {
+            Thread.interrupted(); // by Ctrl-C: nothing was begun
+            return false;
+        }
+        print(out, "standby: nobody holds the session any more; taking it over");
+        return true;
     }
 
     private int run(Session session, SessionOptions.Begin begin, StopOnInterrupt stop) throws IOException {

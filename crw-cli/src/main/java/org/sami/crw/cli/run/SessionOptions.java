@@ -99,8 +99,8 @@ final class SessionOptions {
             converter = ConditionsConverter.class,
             description =
                     "The water of simulated boats, and the errors of boats that do not report theirs: calm, field or"
-                            + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
-                            + " field; of a session that is resumed, its own).")
+                        + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
+                        + " field; of a session that is resumed, its own).")
     private @Nullable NamedConditions conditions;
 
     @Option(
@@ -178,6 +178,11 @@ final class SessionOptions {
         }
         Optional<Asked> asked = journal != null && isThere(journal) ? Optional.of(resumed(journal)) : fresh();
         return asked.isEmpty() ? ExitCode.FINDINGS : open(asked.get(), addresses, attended, use);
+    }
+
+    /** Where the session is kept, if anywhere. */
+    Optional<JournalAddress> journal() {
+        return Optional.ofNullable(journal);
     }
 
     private List<BoatAddress> addresses() throws IOException, InterruptedException {
