@@ -3,7 +3,4 @@
  *
  * <p>Belongs here: measurements and the main program that writes their table and file. Does not belong here: tests.
  */
-@NullMarked
 package org.sami.session.server.bench;
-
-import org.jspecify.annotations.NullMarked;
