@@ -70,6 +70,7 @@ enum SamiModule {
                     "org.sami.spn.plannet..",
                     "org.sami.spn.planspace..",
                     "org.sami.spn.statespace..",
+                    "org.sami.spn.suggestion..",
                     "org.sami.spn.wiring..",
                     "org.sami.spn.wizard.."),
             List.of(SPN_CORE, SPN_LANGUAGE, PETRI)),
@@ -143,7 +144,7 @@ enum SamiModule {
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM(
             "crw-sim",
-            240,
+            280,
             List.of("org.sami.crw.sim.."),
             List.of(
                     CRW_REPORT,
@@ -168,7 +169,7 @@ enum SamiModule {
     /** The command crw. */
     CRW_CLI(
             "crw-cli",
-            190,
+            230,
             List.of("org.sami.crw.cli..", "org.sami.crw.console.."),
             List.of(
                     CRW_SIM,

@@ -346,8 +346,8 @@ class CheckCommandTest {
     }
 
     private static String edgeOf(String plan) throws IOException {
-        JsonNode file = new ObjectMapper()
-                .readTree(CLV.resolveSibling(plan + ".json").toFile());
+        JsonNode file =
+                new ObjectMapper().readTree(CLV.resolveSibling(plan + ".json").toFile());
         return file.at("/plans/0/inEdges/0/id").asText();
     }
 }

@@ -95,7 +95,9 @@ public final class SuggestionCommands {
         if (selection.size() != 1 || locked.size() != 1) {
             return Optional.of("select one edge: requirements are suggested for it");
         }
-        return locked.get(0) ? Optional.of("the edge is locked") : context.profile().whyLocked(ID);
+        return locked.get(0)
+                ? Optional.of("the edge is locked")
+                : context.profile().whyLocked(ID);
     }
 
     private void search() {
@@ -121,10 +123,12 @@ public final class SuggestionCommands {
                 return cancelled.get();
             }
         };
-        ask("Trying the requirements that this edge can have, with 1, 2 and 3 robots", List.of(choice("stop", "Stop", () -> {
-            isShown = false;
-            cancelled.set(true); // the suggestions found until then are shown
-        })));
+        ask(
+                "Trying the requirements that this edge can have, with 1, 2 and 3 robots",
+                List.of(choice("stop", "Stop", () -> {
+                    isShown = false;
+                    cancelled.set(true); // the suggestions found until then are shown
+                })));
         worker.execute(() -> {
             try {
                 SuggestionResult result = EdgeSuggestions.find(request, watch);

@@ -130,8 +130,17 @@ final class DreammMenus {
                 "",
                 "replay-open",
                 "replay-close"));
-        JMenu issues =
-                menus.menu("Issues", 'I', "issue-next", "issue-previous", "issue-show", "issue-fix", "issue-play", "", "edge-suggest", "");
+        JMenu issues = menus.menu(
+                "Issues",
+                'I',
+                "issue-next",
+                "issue-previous",
+                "issue-show",
+                "issue-fix",
+                "issue-play",
+                "",
+                "edge-suggest",
+                "");
         DeepChecks.ALL.forEach(check -> menus.add(issues, "deep-" + check.id()));
         menus.add(issues, "deep-stop");
         bar.add(issues);

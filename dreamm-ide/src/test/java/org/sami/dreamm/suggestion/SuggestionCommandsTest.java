@@ -87,8 +87,9 @@ class SuggestionCommandsTest {
         Plan before = plan();
         context.editor().select(List.of(edge));
         suggest().run();
-        assertThat(question().choices()).singleElement().satisfies(choice -> assertThat(choice.label())
-                .isEqualTo("Stop"));
+        assertThat(question().choices())
+                .singleElement()
+                .satisfies(choice -> assertThat(choice.label()).isEqualTo("Stop"));
 
         work.remove().run();
 

@@ -32,8 +32,7 @@ final class FindingWords {
     private List<String> lines(List<Finding> findings, boolean come) {
         List<String> lines = new ArrayList<>();
         List<String> places = unreached(findings, id -> plan.place(id).isPresent());
-        List<String> transitions =
-                unreached(findings, id -> plan.transition(id).isPresent());
+        List<String> transitions = unreached(findings, id -> plan.transition(id).isPresent());
         findings.stream()
                 .filter(finding -> !isUnreached(finding))
                 .forEach(finding -> lines.add(sentence(finding, come)));
@@ -75,8 +74,7 @@ final class FindingWords {
             case "W-STUCK" ->
                 "The mission" + never + "stands still with tokens in "
                         + about.stream().map(this::word).collect(Collectors.joining(", "));
-            case "W-ENDS-EARLY" ->
-                last + never + "ends the mission while somebody is under way in " + first;
+            case "W-ENDS-EARLY" -> last + never + "ends the mission while somebody is under way in " + first;
             case "W-LEFT-OUT" -> last + never + "leaves somebody out in " + first;
             case "W-FORGOTTEN" -> last + never + "forgets somebody in " + first;
             case "W-PILES-UP" -> "Tokens" + never + "pile up in " + first;

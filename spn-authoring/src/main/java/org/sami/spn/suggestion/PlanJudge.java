@@ -46,8 +46,8 @@ final class PlanJudge {
         List<String> names =
                 IntStream.rangeClosed(1, robots).mapToObj(i -> "robot-" + i).toList();
         int most = Math.min(request.statesPerSearch(), Math.max(1, request.allStates() - states));
-        DeepResult result = EVERYTHING.run(
-                new DeepRequest(project, request.vocabulary(), request.plan(), names, most), watch);
+        DeepResult result =
+                EVERYTHING.run(new DeepRequest(project, request.vocabulary(), request.plan(), names, most), watch);
         states += result.states();
         List<Finding> found = new ArrayList<>(
                 result.findings().stream().map(DeepFinding::finding).toList());

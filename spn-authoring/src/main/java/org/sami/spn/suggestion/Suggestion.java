@@ -17,7 +17,14 @@ import org.sami.spn.edit.Edit;
  * @param complete whether every state was looked at; otherwise there may be findings further on
  */
 public record Suggestion(
-        String words, Edit edit, List<String> mended, List<String> caused, int fewer, int fresh, int left, boolean complete) {
+        String words,
+        Edit edit,
+        List<String> mended,
+        List<String> caused,
+        int fewer,
+        int fresh,
+        int left,
+        boolean complete) {
     public Suggestion {
         Objects.requireNonNull(words, "words");
         Objects.requireNonNull(edit, "edit");
@@ -27,8 +34,8 @@ public record Suggestion(
 
     /** The balance in one line, such as {@code 2 findings fewer, 1 new, 3 left}. */
     public String balance() {
-        return count(fewer) + " fewer" + (fresh == 0 ? "" : ", " + fresh + " new") + ", "
-                + (left == 0 ? "none" : left) + " left" + (complete ? "" : " in the part that was searched");
+        return count(fewer) + " fewer" + (fresh == 0 ? "" : ", " + fresh + " new") + ", " + (left == 0 ? "none" : left)
+                + " left" + (complete ? "" : " in the part that was searched");
     }
 
     private static String count(int findings) {

@@ -45,8 +45,7 @@ class EdgeSuggestionsTest {
 
     private static String into(Plan plan, String place, String transition) {
         return plan.inEdges().stream()
-                .filter(edge ->
-                        edge.place().equals(place) && edge.transition().equals(transition))
+                .filter(edge -> edge.place().equals(place) && edge.transition().equals(transition))
                 .map(InEdge::id)
                 .findFirst()
                 .orElseThrow();
@@ -77,8 +76,7 @@ class EdgeSuggestionsTest {
         assertThat(best.left()).isZero();
         assertThat(best.complete()).isTrue();
         assertThat(best.mended())
-                .containsExactly(
-                        "The mission no longer stands still with tokens in \"waiting\"", "\"again\" can fire");
+                .containsExactly("The mission no longer stands still with tokens in \"waiting\"", "\"again\" can fire");
         assertThat(best.caused()).isEmpty();
         assertThat(result.suggestions()).noneMatch(one -> one.words().equals("No Token"));
     }
@@ -87,8 +85,7 @@ class EdgeSuggestionsTest {
     void suggestionLeavesAsManyFindingsAsTheChecksFindOnceItIsApplied() {
         Plan plan = waiting("any >= 9");
 
-        List<Suggestion> suggestions =
-                at(plan, into(plan, "waiting", "again")).suggestions();
+        List<Suggestion> suggestions = at(plan, into(plan, "waiting", "again")).suggestions();
 
         assertThat(suggestions).isNotEmpty().allSatisfy(suggestion -> {
             Project changed = suggestion
@@ -106,9 +103,7 @@ class EdgeSuggestionsTest {
                         .toList();
                 DeepChecks.ALL
                         .get(0)
-                        .run(
-                                new DeepRequest(changed, TestVocabulary.TEST, plan.id(), names, 1000),
-                                SearchWatch.NONE)
+                        .run(new DeepRequest(changed, TestVocabulary.TEST, plan.id(), names, 1000), SearchWatch.NONE)
                         .findings()
                         .stream()
                         .map(deep -> deep.finding())
@@ -127,9 +122,9 @@ class EdgeSuggestionsTest {
 
         assertThat(result.suggestions().get(0).words()).isEqualTo("≥ 1 Proxy");
         assertThat(result.suggestions().get(0).left()).isZero();
-        assertThat(result.suggestions().get(0).mended()).singleElement().satisfies(line -> assertThat(line)
-                .startsWith("Mended: ")
-                .contains("has no requirement"));
+        assertThat(result.suggestions().get(0).mended())
+                .singleElement()
+                .satisfies(line -> assertThat(line).startsWith("Mended: ").contains("has no requirement"));
     }
 
     @Test
@@ -145,9 +140,7 @@ class EdgeSuggestionsTest {
 
     private static Plan withOut(Plan plan, String transition, OutRequirement... requirements) {
         return plan.withOutEdges(plan.outEdges().stream()
-                .map(edge -> edge.transition().equals(transition)
-                        ? edge.withRequirements(List.of(requirements))
-                        : edge)
+                .map(edge -> edge.transition().equals(transition) ? edge.withRequirements(List.of(requirements)) : edge)
                 .toList());
     }
 
@@ -207,8 +200,7 @@ class EdgeSuggestionsTest {
             }
         };
 
-        SuggestionResult result =
-                EdgeSuggestions.find(request(plan, into(plan, "waiting", "again")), stopsAfterFive);
+        SuggestionResult result = EdgeSuggestions.find(request(plan, into(plan, "waiting", "again")), stopsAfterFive);
 
         assertThat(progress).containsExactly(0, 1, 2, 3, 4, 5);
         assertThat(result.tried()).isEqualTo(5);
@@ -245,9 +237,7 @@ class EdgeSuggestionsTest {
                 .build();
 
         List<String> words = new EdgeCandidates(plan, TestVocabulary.TEST)
-                .of(plan.outEdges().get(1).id()).stream()
-                        .map(Candidate::words)
-                        .toList();
+                .of(plan.outEdges().get(1).id()).stream().map(Candidate::words).toList();
 
         assertThat(words).isNotEmpty().noneMatch(text -> text.matches(".*Take \\w+ (Proxy|Token|Relevant).*"));
     }

@@ -18,15 +18,18 @@ public final class LayerOptions {
     @Option(
             names = "--depths",
             paramLabel = "FILE",
-            description = "Depths of the water of simulated boats, which their sonar measures (ESRI ASCII grid in degrees,"
-                    + " metres below the surface; see docs/command-line.md). Without it they have no sonar (default: none).")
+            description =
+                    "Depths of the water of simulated boats, which their sonar measures (ESRI ASCII grid in degrees,"
+                            + " metres below the surface; see docs/command-line.md). Without it they have no sonar"
+                            + " (default: none).")
     private @Nullable Path depths;
 
     @Option(
             names = "--currents",
             paramLabel = "FILE",
-            description = "Currents by place on the water of simulated boats, which carry them (CSV: lat,lon,speed,direction"
-                    + " in m/s and degrees; see docs/command-line.md), besides --current (default: none).")
+            description =
+                    "Currents by place on the water of simulated boats, which carry them (CSV: lat,lon,speed,direction"
+                            + " in m/s and degrees; see docs/command-line.md), besides --current (default: none).")
     private @Nullable Path currents;
 
     /**
@@ -41,8 +44,7 @@ public final class LayerOptions {
                 read("--currents", currents, folder, CurrentField::parse));
     }
 
-    private static <T> Optional<T> read(
-            String option, @Nullable Path file, Path folder, Function<String, T> parser) {
+    private static <T> Optional<T> read(String option, @Nullable Path file, Path folder, Function<String, T> parser) {
         if (file == null) {
             return Optional.empty();
         }

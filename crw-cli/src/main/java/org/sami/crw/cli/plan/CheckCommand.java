@@ -183,8 +183,7 @@ public final class CheckCommand implements Callable<Integer> {
                 new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             return source.project()
-                    .map(project ->
-                            RequirementSuggestions.find(project, library.vocabulary(), wanted, progress, stop));
+                    .map(project -> RequirementSuggestions.find(project, library.vocabulary(), wanted, progress, stop));
         }
     }
 

@@ -70,7 +70,8 @@ final class RequirementSuggestions {
 
     private static Stream<String> edges(Plan plan) {
         return Stream.concat(
-                plan.inEdges().stream().map(in -> in.id()), plan.outEdges().stream().map(out -> out.id()));
+                plan.inEdges().stream().map(in -> in.id()),
+                plan.outEdges().stream().map(out -> out.id()));
     }
 
     /** The best suggestions with what each changes, then one line about the search. */

@@ -10,9 +10,9 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.ConditionsConverter;
+import org.sami.crw.cli.option.LayerOptions;
 import org.sami.crw.cli.option.LinkOptions;
 import org.sami.crw.cli.option.NetworkOption;
-import org.sami.crw.cli.option.LayerOptions;
 import org.sami.crw.cli.option.VesselsFile;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.cli.run.RemoteOptions;
@@ -49,8 +49,8 @@ import picocli.CommandLine.Spec;
                     + " boat)",
             "  crw-operator --near          boats on the local network are listed, and connected with one press",
             "  crw-operator --boats boats.txt --data /media/laptop/today --theme sun",
-            "  crw-operator --session wss://10.0.0.5:8443 --person anna --key-file anna.key   a session that 'crw serve' runs"
-                    + " elsewhere",
+            "  crw-operator --session wss://10.0.0.5:8443 --person anna --key-file anna.key   a session that 'crw"
+                    + " serve' runs elsewhere",
             "  crw-operator --replay today.journal --at 90"
         })
 public final class OperatorCommand implements Callable<Integer> {

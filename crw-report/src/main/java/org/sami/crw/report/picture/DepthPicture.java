@@ -85,10 +85,7 @@ public final class DepthPicture {
                 depths.readings(),
                 depths.error()
                         .map(off -> String.format(
-                                Locale.ROOT,
-                                " · error: mean %.2f m, 95 of 100 within %.2f m",
-                                off.meanM(),
-                                off.p95M()))
+                                Locale.ROOT, " · error: mean %.2f m, 95 of 100 within %.2f m", off.meanM(), off.p95M()))
                         .orElse(""));
         g.drawString(DrawnText.fitting(summary, g.getFontMetrics(), WIDTH - MAP.x - 32), MAP.x, 76);
     }

@@ -84,7 +84,8 @@ class DepthPictureTest {
         DepthCell deep = new DepthCell(new MapPoint(45.7, 10.72, 5, 0), 9000, 1);
 
         assertThat(drawn(new DepthsPart(5, 1, List.of(flat), Optional.empty()))).isNotNull();
-        assertThat(drawn(new DepthsPart(5, 2, List.of(flat, deep), Optional.empty()))).isNotNull();
+        assertThat(drawn(new DepthsPart(5, 2, List.of(flat, deep), Optional.empty())))
+                .isNotNull();
     }
 
     @Test

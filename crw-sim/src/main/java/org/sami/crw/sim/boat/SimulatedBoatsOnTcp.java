@@ -88,8 +88,8 @@ public final class SimulatedBoatsOnTcp implements SimulatedBoats {
                 .of(robots.ofName(boat))
                 .on(conditions.of(robots))
                 .withPicturesIn(pictures().resolve(boat));
-        BoatOnTcp launched =
-                new BoatOnTcp(settings, clock, TcpServerListener.NONE, UnaryOperator.identity(), water, vessels(at), layers);
+        BoatOnTcp launched = new BoatOnTcp(
+                settings, clock, TcpServerListener.NONE, UnaryOperator.identity(), water, vessels(at), layers);
         boats.add(launched);
         company.ifPresent(each -> attach(each, launched));
         BaseProtection.ofThisProcess().linkPlainly(launched.address(), true);

@@ -90,8 +90,7 @@ public final class Instruments implements Vehicle {
         if (hull.altM().isEmpty()) {
             layers.currents().ifPresent(hull::setCurrents);
             layers.depths()
-                    .ifPresent(depths ->
-                            sensors.add(new Sonar(depths, hull::latDeg, hull::lonDeg, seed ^ SONAR_SEED)));
+                    .ifPresent(depths -> sensors.add(new Sonar(depths, hull::latDeg, hull::lonDeg, seed ^ SONAR_SEED)));
         }
     }
 

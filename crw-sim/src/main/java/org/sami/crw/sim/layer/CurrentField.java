@@ -34,8 +34,8 @@ public record CurrentField(List<CurrentPoint> points) {
                         "a point has a latitude and a longitude in degrees, not " + latDeg + " and " + lonDeg);
             }
             if (!(speedMps >= 0 && speedMps <= FASTEST_MPS && directionDeg >= 0 && directionDeg <= 360)) {
-                throw new IllegalArgumentException("a current has 0 to 5 m/s and 0 to 360 degrees, not " + speedMps
-                        + " and " + directionDeg);
+                throw new IllegalArgumentException(
+                        "a current has 0 to 5 m/s and 0 to 360 degrees, not " + speedMps + " and " + directionDeg);
             }
         }
 

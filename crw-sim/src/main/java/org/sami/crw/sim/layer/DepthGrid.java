@@ -53,7 +53,9 @@ public final class DepthGrid {
     }
 
     private int index(int row, int column) {
-        return row < 0 || row >= head.rows() || column < 0 || column >= head.columns() ? -1 : row * head.columns() + column;
+        return row < 0 || row >= head.rows() || column < 0 || column >= head.columns()
+                ? -1
+                : row * head.columns() + column;
     }
 
     /**
@@ -78,8 +80,9 @@ public final class DepthGrid {
             }
         }
         if (depths.size() != head.columns() * head.rows()) {
-            throw new IllegalArgumentException("line " + Math.max(1, lines.size()) + ": " + head.columns() + " x " + head.rows()
-                    + " cells need " + head.columns() * head.rows() + " depths; there are " + depths.size());
+            throw new IllegalArgumentException(
+                    "line " + Math.max(1, lines.size()) + ": " + head.columns() + " x " + head.rows() + " cells need "
+                            + head.columns() * head.rows() + " depths; there are " + depths.size());
         }
         if (depths.stream().noneMatch(depth -> depth > 0)) {
             throw new IllegalArgumentException(
@@ -97,8 +100,8 @@ public final class DepthGrid {
 
     private static double depth(String word, double noData, int number) {
         double depthM = TextNumbers.real(word)
-                .orElseThrow(
-                        () -> new IllegalArgumentException("line " + number + ": '" + word + "' is no depth in metres"));
+                .orElseThrow(() ->
+                        new IllegalArgumentException("line " + number + ": '" + word + "' is no depth in metres"));
         if (depthM == noData) {
             return Double.NaN;
         }

@@ -19,13 +19,7 @@ import org.sami.spn.value.TextNumbers;
  * @param noData stands where no depth is known
  */
 record GridHead(
-        int columns,
-        int rows,
-        double westDeg,
-        double southDeg,
-        double widthDeg,
-        double heightDeg,
-        double noData) {
+        int columns, int rows, double westDeg, double southDeg, double widthDeg, double heightDeg, double noData) {
     private static final double USUAL_NO_DATA = -9999;
     private static final double WIDEST_DEG = 10;
     private static final int SHOWN = 60; // characters of a wrong line
@@ -53,8 +47,8 @@ record GridHead(
             OptionalDouble value = words.length == 2 ? TextNumbers.real(words[1]) : OptionalDouble.empty();
             if (!NAMES.contains(name) || value.isEmpty()) {
                 throw new IllegalArgumentException("line " + lines
-                        + ": expected is one of ncols, nrows, xllcorner, yllcorner, cellsize, NODATA_value and a number,"
-                        + " not '" + shortened(line.strip()) + "'");
+                        + ": expected is one of ncols, nrows, xllcorner, yllcorner, cellsize, NODATA_value and a"
+                        + " number, not '" + shortened(line.strip()) + "'");
             }
             values.put(name, value.getAsDouble());
         }

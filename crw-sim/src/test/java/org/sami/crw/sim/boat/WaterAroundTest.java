@@ -16,8 +16,8 @@ class WaterAroundTest {
             ForeignVessels.parse("{\"format\": \"crw-vessels\", \"vessels\": [{\"name\": \"log\", \"length\": 3,"
                     + " \"beam\": 1, \"drifts\": true, \"track\": [{\"east\": 10, \"north\": 40}]}]}"),
             new WaterLayers(
-                    Optional.of(DepthGrid.parse(
-                            "ncols 2\nnrows 2\nxllcorner 10\nyllcorner 45\ncellsize 0.1\n1 2\n3 4\n")),
+                    Optional.of(
+                            DepthGrid.parse("ncols 2\nnrows 2\nxllcorner 10\nyllcorner 45\ncellsize 0.1\n1 2\n3 4\n")),
                     Optional.of(CurrentField.parse("lat,lon,speed,direction\n45,10,0.2,90\n"))));
 
     @Test

@@ -11,15 +11,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Depth and current by place, and what files of them may say. */
 class WaterLayersTest {
     private static final String GRID = """
-            ncols 3
-            nrows 2
-            xllcorner 10
-            yllcorner 45
-            cellsize 0.1
-            NODATA_value -1
-            1 2 -1
-            3 4 0
-            """;
+        ncols 3
+        nrows 2
+        xllcorner 10
+        yllcorner 45
+        cellsize 0.1
+        NODATA_value -1
+        1 2 -1
+        3 4 0
+        """;
 
     private static final String CURRENTS = "lat,lon,speed,direction\n45.0,10.0,1,90\n45.0,10.2,1,0\n";
 
@@ -99,6 +99,7 @@ class WaterLayersTest {
         assertThatThrownBy(() -> CurrentField.parse(CURRENTS + "45,10,1\n")).hasMessageContaining("line 4: expected");
         assertThatThrownBy(() -> CurrentField.parse(CURRENTS + "45,10,9,0\n"))
                 .hasMessageContaining("line 4: a current has 0 to 5 m/s");
-        assertThatThrownBy(() -> CurrentField.parse("lat,lon,speed,direction\n")).hasMessageContaining("1 to 1000");
+        assertThatThrownBy(() -> CurrentField.parse("lat,lon,speed,direction\n"))
+                .hasMessageContaining("1 to 1000");
     }
 }

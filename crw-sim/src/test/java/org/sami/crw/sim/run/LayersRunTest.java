@@ -23,17 +23,17 @@ import org.sami.crw.sim.run.settings.SettingsMap;
 class LayersRunTest {
     /** From 2 m in the west to 10 m in the east of the area. */
     private static final DepthGrid SLOPE = DepthGrid.parse("""
-            ncols 2
-            nrows 2
-            xllcenter 10.718
-            yllcenter 45.698
-            cellsize 0.004
-            2 10
-            2 10
-            """);
+        ncols 2
+        nrows 2
+        xllcenter 10.718
+        yllcenter 45.698
+        cellsize 0.004
+        2 10
+        2 10
+        """);
 
-    private static final CurrentField CURRENTS = CurrentField.parse(
-            "lat,lon,speed,direction\n45.7,10.7190,0.3,90\n45.7,10.7210,0.1,180\n");
+    private static final CurrentField CURRENTS =
+            CurrentField.parse("lat,lon,speed,direction\n45.7,10.7190,0.3,90\n45.7,10.7210,0.1,180\n");
 
     private static final WaterLayers BOTH = new WaterLayers(Optional.of(SLOPE), Optional.of(CURRENTS));
 
@@ -94,8 +94,11 @@ class LayersRunTest {
     void anAreaThatIsExploredIsMappedAndComparedWithTheTruth() {
         RunReport report = TestRuns.run(
                 TestRuns.plan("explore-area"),
-                RunSettings.of("explore-area", "Map", new FleetSettings(2, 6, 100, 1)
-                                .on(new WaterLayers(Optional.of(SLOPE), Optional.empty())))
+                RunSettings.of(
+                                "explore-area",
+                                "Map",
+                                new FleetSettings(2, 6, 100, 1)
+                                        .on(new WaterLayers(Optional.of(SLOPE), Optional.empty())))
                         .parameters(Map.of("@spacing", "10"))
                         .limitMillis(3_600_000)
                         .build());

@@ -36,10 +36,8 @@ public final class DepthFold implements ReportFold {
                 && reading.channel().equals(Sonar.CHANNEL)
                 && !reading.values().isEmpty()) {
             squares.add(
-                    plane.eastM(
-                            reading.position().latDeg(), reading.position().lonDeg()),
-                    plane.northM(
-                            reading.position().latDeg(), reading.position().lonDeg()),
+                    plane.eastM(reading.position().latDeg(), reading.position().lonDeg()),
+                    plane.northM(reading.position().latDeg(), reading.position().lonDeg()),
                     reading.values().get(0));
         }
     }

@@ -20,7 +20,8 @@ final class DepthSquares {
 
     private static final int REACH = 3; // squares: lanes up to 20 m apart leave no gap
     private static final int MOST = 250_000;
-    private static final double OPPOSITE = -0.85; // cosine of 148 degrees: less, and squares of one lane would count as on two sides of one beside it
+    private static final double OPPOSITE =
+            -0.85; // cosine of 148 degrees: less, and squares of one lane would count as on two sides of one beside it
 
     /** Of a square, counted from the area's centre. */
     private record Place(int north, int east) implements Comparable<Place> {
@@ -85,8 +86,8 @@ final class DepthSquares {
         for (Place at : places) {
             Sum sum = measured.get(at);
             Optional<Double> depthM = sum == null ? between(at) : Optional.of(sum.meanM());
-            depthM.ifPresent(metres -> cells.add(
-                    new DepthCell(middle(at, plane), metres, sum == null ? 0 : sum.readings())));
+            depthM.ifPresent(
+                    metres -> cells.add(new DepthCell(middle(at, plane), metres, sum == null ? 0 : sum.readings())));
         }
         return cells;
     }

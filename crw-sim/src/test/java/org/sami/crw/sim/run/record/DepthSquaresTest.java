@@ -48,8 +48,9 @@ class DepthSquaresTest {
             squares.add(alongM, 20, 8);
         }
 
-        assertThat(cells()).hasSize(20 * 5).allMatch(cell -> cell.middle().northM() > 0
-                && cell.middle().northM() < 25);
+        assertThat(cells())
+                .hasSize(20 * 5)
+                .allMatch(cell -> cell.middle().northM() > 0 && cell.middle().northM() < 25);
     }
 
     @Test
