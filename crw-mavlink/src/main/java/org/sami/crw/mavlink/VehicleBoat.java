@@ -32,18 +32,14 @@ final class VehicleBoat implements BaseSession.Boat {
     private static final long BATTERY_MS = 10_000;
     private static final double STILL_MPS = 0.1;
 
-    /** What {@link AutopilotCommands} refuses. Which sensors there are is known only as they report. */
-    private static final BoatCapabilities CAPABILITIES = new BoatCapabilities(
-            Map.of(
-                    BoatCapabilities.PANORAMA, "a boat with an autopilot cannot turn on the spot",
-                    BoatCapabilities.GAINS, "its gains are parameters of its autopilot"),
-            Optional.empty());
+    /** What {@link AutopilotCommands} refuses, each with the reason. */
+    private static final Map<String, String> CANNOT = Map.of(
+            BoatCapabilities.PANORAMA, "a boat with an autopilot cannot turn on the spot",
+            BoatCapabilities.GAINS, "its gains are parameters of its autopilot");
 
-    private static final BoatCapabilities OF_COPTERS = new BoatCapabilities(
-            Map.of(
-                    BoatCapabilities.PANORAMA, "a copter with an autopilot takes no pictures that the base can fetch",
-                    BoatCapabilities.GAINS, "its gains are parameters of its autopilot"),
-            Optional.empty());
+    private static final Map<String, String> COPTERS_CANNOT = Map.of(
+            BoatCapabilities.PANORAMA, "a copter with an autopilot takes no pictures that the base can fetch",
+            BoatCapabilities.GAINS, "its gains are parameters of its autopilot");
 
     private final String name;
     private final boolean flies;
@@ -52,6 +48,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehiclePerformance performance;
     private final VehicleFence fence;
     private final VehicleFiles files;
+    private final VehicleSensors sensors = new VehicleSensors();
     private final OtherHands others = new OtherHands();
     private Optional<BaseSession> session = Optional.empty();
     private VehicleSnapshot vehicle;
@@ -134,7 +131,8 @@ final class VehicleBoat implements BaseSession.Boat {
             keep(progress);
         }
         LinkMessage whole = message instanceof SettingsReport report
-                ? report.with(performance.now()).with(flies ? OF_COPTERS : CAPABILITIES)
+                ? report.with(performance.now())
+                        .with(new BoatCapabilities(flies ? COPTERS_CANNOT : CANNOT, sensors.channels()))
                 : message;
         session.filter(BaseSession::isGreeted).ifPresent(told -> told.say(whole));
     }
@@ -217,7 +215,12 @@ final class VehicleBoat implements BaseSession.Boat {
             others.said(said.text(), atMs);
         } else if (event instanceof VehicleEvent.Measured measured) {
             VehicleReports.reading(vehicle, measured.reading(), Math.max(0, atMs))
-                    .ifPresent(this::broadcast);
+                    .ifPresent(report -> {
+                        if (sensors.isNew(report)) {
+                            reportSettings();
+                        }
+                        broadcast(report);
+                    });
         } else {
             orders.happened(event);
         }

@@ -2,8 +2,11 @@ package org.sami.crw.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
+import io.dronefleet.mavlink.common.NamedValueFloat;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.AfterEach;
@@ -19,12 +22,14 @@ import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.handler.planning.BoatDemands;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.mavlink.testing.SmallBoat;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.TextValue;
 
 /** A vehicle that speaks MAVLink is a boat of a base like any other. */
 @Tag("long")
@@ -112,6 +117,33 @@ class VehicleBoatTest {
                         BOAT,
                         proxy -> proxy.capabilities().cannot().containsKey(BoatCapabilities.PANORAMA)
                                 && proxy.capabilities().measures().isEmpty()))
+                .isTrue();
+    }
+
+    @Test
+    void measuresWhatItHasReported() {
+        boat.sends(NamedValueFloat.builder().name("TEMP").value(12.5f).build());
+        world.until(
+                "its thermometer is known",
+                BOAT,
+                proxy -> proxy.capabilities().measures().equals(Optional.of(List.of("autopilot/temp"))));
+
+        boat.sends(Rangefinder.builder().distance(3.2f).build());
+        world.until(
+                "its depth sounder is known, too",
+                BOAT,
+                proxy -> proxy.capabilities()
+                        .measures()
+                        .equals(Optional.of(List.of("autopilot/range", "autopilot/temp"))));
+
+        assertThat(world.is(
+                        BOAT,
+                        proxy -> BoatDemands.missing(
+                                        BOAT,
+                                        proxy.capabilities(),
+                                        "TakeMeasurement",
+                                        Map.of("sensor", new TextValue("salinity")))
+                                .isPresent()))
                 .isTrue();
     }
 
