@@ -2,6 +2,7 @@ package org.sami.petri.coverability;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.EnumMap;
 import java.util.EnumSet;
@@ -9,12 +10,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.graph.ReachabilitySearch;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.graph.SearchSettings;
+import org.sami.petri.net.FiringRule;
 import org.sami.petri.net.PetriNet;
 import org.sami.petri.net.PetriNetBuilder;
 import org.sami.petri.query.LinearComparison;
@@ -30,42 +35,126 @@ class SaturatedQueriesTest {
     private static final SearchBudget ENOUGH = SearchBudget.ofStates(3_000);
     private static final List<LinearComparison.Relation> RELATIONS =
             List.copyOf(EnumSet.allOf(LinearComparison.Relation.class));
+
+    /** Markings of a net from which firings that are called sure are tried. */
+    private static final int MOST_FIRED = 100;
+
     private static final MarkingCondition NEVER = new MarkingCondition.Any(List.of());
 
     @Test
     void answersAboutRandomNetsAreThoseOfTheWholeGraph() {
-        Map<NetVerdict, Integer> answered = new EnumMap<>(NetVerdict.class);
-        int homes = 0;
+        Counts counts = new Counts();
         for (long seed = 0; seed < 2_500; seed++) {
-            PetriNet net = net(seed);
-            Random random = new Random(-seed);
-            Optional<SaturatedQueries> saturated = saturated(net, random);
-            QueryRunner exact = new QueryRunner(
-                    net, ENOUGH, new QueryMeans(false, Optional.empty()), GraphWatch.NONE, System::nanoTime);
-            if (saturated.isEmpty() || !exact.whole().isComplete()) {
-                continue;
-            }
-            for (NetQuery query : queries(net, random)) {
-                Optional<QueryAnswer> answer = saturated.get().answer(query);
-                if (answer.isPresent()) {
-                    assertThat(answer.get().verdict())
-                            .as("seed %d: %s", seed, query)
-                            .isEqualTo(exact.answer(query).verdict());
-                    answered.merge(answer.get().verdict(), 1, Integer::sum);
-                    homes += query instanceof NetQuery.Home ? 1 : 0;
+            assertThat(difference(seed, counts)).isEmpty();
+        }
+        assertThat(counts.answered.getOrDefault(NetVerdict.YES, 0)).isGreaterThan(200);
+        assertThat(counts.answered.getOrDefault(NetVerdict.NO, 0)).isGreaterThan(200);
+        assertThat(counts.homes).isGreaterThan(80);
+    }
+
+    /** What differs between the saturated and the whole graph of a seed's net; empty where nothing does, or one of them is too large. */
+    static Optional<String> difference(long seed, Counts counts) {
+        PetriNet net = net(seed);
+        Random random = new Random(-seed);
+        Optional<SaturatedQueries> saturated = saturated(net, random);
+        QueryRunner exact = new QueryRunner(
+                net, ENOUGH, new QueryMeans(false, Optional.empty()), GraphWatch.NONE, System::nanoTime);
+        if (saturated.isEmpty() || !exact.whole().isComplete()) {
+            return Optional.empty();
+        }
+        for (NetQuery query : queries(net, random)) {
+            Optional<QueryAnswer> answer = saturated.get().answer(query);
+            if (answer.isPresent()) {
+                NetVerdict right = exact.answer(query).verdict();
+                if (answer.get().verdict() != right) {
+                    return Optional.of("seed " + seed + ": " + query + " is " + right);
                 }
-            }
-            for (int place = 0; place < net.placeCount(); place++) {
-                if (!saturated.get().net().places().get(place)) {
-                    assertThat(saturated.get().graph().mostTokens(place))
-                            .as("seed %d, place %d", seed, place)
-                            .isGreaterThanOrEqualTo(exact.whole().mostTokens(place));
-                }
+                counts.answered.merge(right, 1, Integer::sum);
+                counts.homes += query instanceof NetQuery.Home ? 1 : 0;
             }
         }
-        assertThat(answered.getOrDefault(NetVerdict.YES, 0)).isGreaterThan(200);
-        assertThat(answered.getOrDefault(NetVerdict.NO, 0)).isGreaterThan(200);
-        assertThat(homes).isGreaterThan(80);
+        return lost(saturated.get(), exact.whole())
+                .map(marking -> "seed " + seed + ": no image of the marking " + marking)
+                .or(() -> unsure(saturated.get().net(), exact.whole()).map(firing -> "seed " + seed + ": " + firing))
+                .or(() -> wrong(saturated.get(), net).map(firing -> "seed " + seed + ": " + firing));
+    }
+
+    /** A marking of the whole graph whose image the saturated graph does not have. How many tokens an end leaves in an exact place is not followed. */
+    private static Optional<String> lost(SaturatedQueries saturated, ReachabilityGraph whole) {
+        Set<String> images = IntStream.range(0, saturated.graph().states())
+                .mapToObj(
+                        state -> image(saturated, whole.net(), saturated.graph().marking(state)))
+                .collect(Collectors.toSet());
+        return IntStream.range(0, whole.states())
+                .mapToObj(whole::marking)
+                .filter(marking -> !images.contains(image(saturated, whole.net(), marking)))
+                .map(Arrays::toString)
+                .findFirst();
+    }
+
+    private static String image(SaturatedQueries saturated, PetriNet net, int[] marking) {
+        SaturablePlaces rules = new SaturablePlaces(net);
+        int[] image = marking.clone();
+        saturated.net().places().stream()
+                .forEach(place -> image[place] = rules.isExact(place) ? 0 : Math.min(1, image[place]));
+        return Arrays.toString(image);
+    }
+
+    /** A firing that is called sure and which a marking with the tokens that it needs, or with more in a saturated place, does not do. */
+    private static Optional<String> unsure(SaturatedNet saturated, ReachabilityGraph whole) {
+        SaturablePlaces rules = new SaturablePlaces(whole.net());
+        for (int state = 0; state < Math.min(MOST_FIRED, whole.states()); state++) {
+            int[] marking = whole.marking(state);
+            int[] image = marking.clone();
+            saturated.places().stream().forEach(place -> image[place] = Math.min(1, image[place]));
+            Optional<String> found = IntStream.concat(
+                            IntStream.of(-1), saturated.places().stream().filter(place -> !rules.isExact(place)))
+                    .mapToObj(place -> IntStream.range(0, image.length)
+                            .map(p -> p == place ? 0 : image[p])
+                            .toArray())
+                    .flatMap(from -> IntStream.range(0, saturated.net().transitionCount())
+                            .filter(saturated::isSure)
+                            .filter(t -> FiringRule.isEnabled(saturated.net(), t, from))
+                            .filter(t -> !follows(saturated, t, from, whole.net(), marking))
+                            .mapToObj(t -> saturated.net().transitionId(t) + " is not sure at "
+                                    + Arrays.toString(marking) + ", which " + Arrays.toString(from) + " stands for"))
+                    .findFirst();
+            if (found.isPresent()) {
+                return found;
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static boolean follows(SaturatedNet saturated, int t, int[] from, PetriNet net, int[] marking) {
+        if (!FiringRule.isEnabled(net, saturated.original(t), marking)) {
+            return false;
+        }
+        int[] less = FiringRule.fire(saturated.net(), t, from);
+        int[] more = FiringRule.fire(net, saturated.original(t), marking);
+        return IntStream.range(0, less.length)
+                .allMatch(place ->
+                        saturated.places().get(place) ? more[place] >= less[place] : more[place] == less[place]);
+    }
+
+    /** A state with more than one token in a saturated place, or a transition that stands for one of another name. */
+    private static Optional<String> wrong(SaturatedQueries saturated, PetriNet net) {
+        SaturatedNet made = saturated.net();
+        for (int t = 0; t < made.net().transitionCount(); t++) {
+            if (!made.net().transitionId(t).split("~")[0].equals(net.transitionId(made.original(t)))) {
+                return Optional.of(made.net().transitionId(t) + " stands for " + made.original(t));
+            }
+        }
+        return made.places().stream()
+                .filter(place -> saturated.graph().mostTokens(place) > 1)
+                .mapToObj(place -> "place " + place + " has more than one token")
+                .findFirst();
+    }
+
+    /** What was compared. */
+    static final class Counts {
+        final Map<NetVerdict, Integer> answered = new EnumMap<>(NetVerdict.class);
+        int homes;
     }
 
     @Test
@@ -174,7 +263,7 @@ class SaturatedQueriesTest {
                 net.produce(t, random.nextInt(places), 1 + random.nextInt(2));
             }
             if (random.nextInt(4) == 0) {
-                net.inhibit(t, random.nextInt(places), 1);
+                net.inhibit(t, random.nextInt(places), seed % 5 == 0 ? 2 : 1);
             }
             if (random.nextInt(6) == 0) {
                 net.reset(t, random.nextInt(places));

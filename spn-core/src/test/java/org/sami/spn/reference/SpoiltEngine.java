@@ -3,6 +3,7 @@ package org.sami.spn.reference;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Path;
 import org.sami.spn.model.Project;
+import org.sami.spn.testing.SpoiltClasses;
 import org.sami.spn.testing.TestVocabulary;
 
 /** The engine with one line of its source changed, next to the right one. */

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.spn.testing.SpoiltClasses;
 
 /** The comparisons of plans' nets with the engine notice when one line of the translation, or of the search, is wrong: each row spoils one. */
 @Tag("long")

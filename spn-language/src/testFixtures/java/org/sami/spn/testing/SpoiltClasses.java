@@ -1,4 +1,4 @@
-package org.sami.spn.reference;
+package org.sami.spn.testing;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -12,10 +12,10 @@ import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
 /** Classes with one line of one source changed, compiled into a folder and loaded next to the right ones. The code has no hooks for this. */
-final class SpoiltClasses extends ClassLoader {
+public final class SpoiltClasses extends ClassLoader {
     private static final JavaCompiler COMPILER = ToolProvider.getSystemJavaCompiler();
 
-    /** For all compilations, one after another: it has read the directories of the class path's jars once. */
+    /** For all compilations: it has read the directories of the class path's jars once. */
     private static final StandardJavaFileManager FILES = COMPILER.getStandardFileManager(null, null, null);
 
     private final Path classes;
@@ -34,7 +34,7 @@ final class SpoiltClasses extends ClassLoader {
      * @param wrong what is to stand there instead
      * @param own names of the classes that come from here; all others come from the tests' own class loader
      */
-    static SpoiltClasses with(Path folder, Path source, String right, String wrong, Predicate<String> own) {
+    public static SpoiltClasses with(Path folder, Path source, String right, String wrong, Predicate<String> own) {
         try {
             String text = Files.readString(source);
             int at = text.indexOf(right);
@@ -48,7 +48,8 @@ final class SpoiltClasses extends ClassLoader {
         return new SpoiltClasses(folder, own);
     }
 
-    private static void compile(Path source, Path into) {
+    /** One compilation at a time, as they share the file manager. */
+    private static synchronized void compile(Path source, Path into) {
         List<String> options =
                 List.of("-proc:none", "-nowarn", "-cp", System.getProperty("java.class.path"), "-d", into.toString());
         boolean compiled = COMPILER.getTask(null, FILES, null, options, null, FILES.getJavaFileObjects(source))

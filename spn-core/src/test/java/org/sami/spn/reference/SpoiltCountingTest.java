@@ -1,0 +1,105 @@
+package org.sami.spn.reference;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.LongFunction;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.sami.spn.testing.SpoiltClasses;
+
+/** The comparison of counted with named robots notices when one line of what counts them, or of what names them in a run, is wrong: each row spoils one. */
+class SpoiltCountingTest {
+    private static final Path PLANS = Path.of("../spn-authoring/src/main/java/org/sami/spn/plannet");
+    private static final int MOST_SEEDS = 500;
+
+    /** What is spoilt, the class, and the line. */
+    static Stream<Arguments> lines() {
+        return Stream.of(
+                counted("robots at a place are one", "1, Integer::sum", "1, Integer::max"),
+                counted("robots need not be there", "arcs.atLeast(at(place), count)", "arcs.atLeast(at(place), 0)"),
+                counted("robots do not move", "arcs.joinChanges(robot.arcs);", ""),
+                counted(
+                        "one more robot may be there",
+                        "here.getOrDefault(place, 0) + 1)",
+                        "here.getOrDefault(place, 0) + 2)"),
+                counted("nobody may be where absent robots are not", "here.getOrDefault(place, 0) + 1)", "1)"),
+                counted("the absent may be there", "absent > 0 && !isOneAnywhere", "absent < 0 && !isOneAnywhere"),
+                counted("places with a mission inside are watched", "!possible.hasSub(place)", "true"),
+                counted(
+                        "only places with a mission inside are watched",
+                        "!possible.hasSub(place)",
+                        "possible.hasSub(place)"),
+                counted(
+                        "where one may be anywhere nothing happens",
+                        "if (isOneAnywhere && robots",
+                        "if (isOneAnywhere || robots"),
+                named("robots stand nowhere at first", "at.put(robot, counted.start())", "at.put(robot, \"\")"),
+                named("who may be anywhere has to be somewhere", "!option.isAnywhere", "true"),
+                named("absent robots stand where one looks", "place -> !watched", "place -> watched"),
+                named("present robots stand anywhere", "option.present::contains", "place -> true"),
+                named("one robot does all", "used.add(robot);", ""),
+                named("nobody is named", "if (option.isNamed) {", "if (false) {"),
+                named("all are named", "if (option.isNamed) {", "if (true) {"),
+                named("moves go backwards", "move.from(), move.to()));", "move.to(), move.from()));"),
+                named("no move is told", "moves.add(new PlanNetMove(robot, move.from(), move.to()));", ""),
+                named("robots stay where they were", "to.put(robot, move.to());", ""),
+                named(
+                        "robots go back to the start",
+                        "at.putAll(to);",
+                        "at.putAll(to); at.replaceAll((r, p) -> counted.start());"),
+                named("tasks do not move", "all.addAll(moves);", "all.clear(); all.addAll(moves);"),
+                named("tasks are not named", ".forEach(named::add)", ".forEach(token -> {})"),
+                named("no end is told", "all, firing.ends()", "all, false"),
+                named("robots that stand nowhere stand in a place", "if (!place.isEmpty()) {", "if (true) {"),
+                named("tasks are nowhere", "if (!net.isRobot(token)) {", "if (false) {"),
+                named("robots of the count are kept", "if (!net.isRobot(token)) {", "if (true) {"));
+    }
+
+    private static Arguments counted(String spoilt, String right, String wrong) {
+        return arguments(spoilt, "CountedRobots", right, wrong);
+    }
+
+    private static Arguments named(String spoilt, String right, String wrong) {
+        return arguments(spoilt, "NamedRobots", right, wrong);
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("lines")
+    void disagreesSoon(String spoilt, String source, String right, String wrong, @TempDir Path folder)
+            throws ReflectiveOperationException {
+        LongFunction<?> judge = (LongFunction<?>)
+                SpoiltClasses.with(folder, PLANS.resolve(source + ".java"), right, wrong, SpoiltCountingTest::isSpoilt)
+                        .loadClass(CountedJudge.class.getName())
+                        .getConstructors()[0]
+                        .newInstance();
+
+        Optional<?> found = Optional.empty();
+        for (long seed = 1; seed <= MOST_SEEDS && found.isEmpty(); seed++) {
+            found = judged(judge, seed);
+        }
+
+        assertThat(found).as(spoilt).isPresent();
+    }
+
+    /** Nets, and what compares them. */
+    private static boolean isSpoilt(String name) {
+        return name.startsWith("org.sami.spn.plannet.")
+                || name.startsWith("org.sami.petri.")
+                || name.startsWith("org.sami.spn.reference.");
+    }
+
+    /** What differs; a net that cannot be made, or a run in which a robot is missing, is noticed too. */
+    private static Optional<?> judged(LongFunction<?> judge, long seed) {
+        try {
+            return (Optional<?>) judge.apply(seed);
+        } catch (IllegalArgumentException | IllegalStateException | IndexOutOfBoundsException broken) {
+            return Optional.of("seed " + seed + ": " + broken);
+        }
+    }
+}
