@@ -18,6 +18,9 @@ import java.util.function.BooleanSupplier;
  * "Double description method revisited", 1996, LNCS 1120.
  */
 final class SemiPositiveSolutions {
+    /** Each row has a bit for each unknown: of so many they take 56 MB, of 780,000 they would take 38 GB. */
+    private static final int MOST_UNKNOWNS = 30_000;
+
     private final int mostRows;
     private final BooleanSupplier cancelled;
     private final int[] positive;
@@ -58,8 +61,11 @@ final class SemiPositiveSolutions {
         this.negative = new int[equations];
     }
 
-    /** Solves for one unknown a row; {@code equations} is the length of the rows. */
+    /** Solves for one unknown a row; {@code equations} is the length of the rows. None is found of more than {@link #MOST_UNKNOWNS}. */
     static InvariantSet of(List<IntegerVector> unknowns, int equations, int mostRows, BooleanSupplier cancelled) {
+        if (unknowns.size() > MOST_UNKNOWNS) {
+            return new InvariantSet(List.of(), false);
+        }
         SemiPositiveSolutions search = new SemiPositiveSolutions(equations, mostRows + unknowns.size(), cancelled);
         for (int i = 0; i < unknowns.size(); i++) {
             search.add(new Row(unknowns.get(i), IntegerVector.unit(i, 1)));

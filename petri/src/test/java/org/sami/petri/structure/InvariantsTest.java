@@ -310,4 +310,18 @@ final class InvariantsTest {
         }
         return 0;
     }
+
+    @Test
+    void netsOfTooManyPlacesHaveNoCompleteSetOfInvariants() {
+        PetriNetBuilder net = new PetriNetBuilder("many");
+        for (int place = 0; place <= 30_000; place++) {
+            net.place("p" + place, 1);
+        }
+        net.transition("t");
+
+        InvariantSet found = Invariants.ofPlaces(net.build(), StructureLimits.USUAL);
+
+        assertThat(found.invariants()).isEmpty();
+        assertThat(found.complete()).isFalse();
+    }
 }
