@@ -338,6 +338,25 @@ class CheckCommandTest {
     }
 
     @Test
+    void requirementsAreSuggestedAtAnEdgeThatLostItsOwn() throws Exception {
+        ObjectMapper mapper = new ObjectMapper();
+        JsonNode lost = mapper.readTree(clv);
+        for (JsonNode edge : lost.at("/plans/0/inEdges")) {
+            if (edge.path("id").asText().equals("go-home.all-visited")) {
+                ((ObjectNode) edge).putArray("requirements").addObject().put("kind", "unconditional");
+            }
+        }
+
+        CommandResult ran = CommandResult.crw(
+                "check", write(mapper.writeValueAsString(lost)).toString(), "--suggest", "go-home.all-visited");
+
+        assertThat(ran.out())
+                .contains("go-home.all-visited: 1. No Proxy (2 findings fewer")
+                .contains("    + \"Home reached\", \"Home not reached\" can fire")
+                .contains("15 of 15 sets of requirements were tried");
+    }
+
+    @Test
     void edgeThatNoPlanHasIsRefusedWithThoseThatThereAre() throws Exception {
         CommandResult ran = CommandResult.crw("check", "station-keep", "--suggest", "nowhere");
 

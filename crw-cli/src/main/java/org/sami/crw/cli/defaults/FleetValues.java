@@ -2,6 +2,7 @@ package org.sami.crw.cli.defaults;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.boat.link.BatteryDefaults;
 import org.sami.boat.link.Gains;
@@ -24,13 +25,14 @@ import org.sami.crw.session.SessionDefaults;
 import org.sami.crw.session.fault.HealthDefaults;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.json.BoundedFile;
+import org.sami.spn.suggestion.SuggestionRequest;
 
 /** The numbers of boats, their base, services, warnings and the engine. */
 final class FleetValues {
     private FleetValues() {}
 
     static List<DefaultValue> all() {
-        return Stream.of(boats(), links(), commands(), planning(), warnings(), engine())
+        return Stream.of(boats(), links(), commands(), planning(), warnings(), engine(), suggestions())
                 .flatMap(subject -> subject.values().stream())
                 .toList();
     }
@@ -311,5 +313,25 @@ final class FleetValues {
                         BoundedFile.SETTINGS_BYTES / 1048576.0,
                         "MiB",
                         "Larger files of settings and answers are refused.");
+    }
+
+    private static Subject suggestions() {
+        return new Subject("Suggestions at an edge")
+                .text(
+                        "teams",
+                        SuggestionRequest.TEAMS.stream().map(String::valueOf).collect(Collectors.joining(", ")),
+                        "",
+                        "Numbers of robots with which each set of requirements is tried, in this order.",
+                        DefaultValue.NOWHERE)
+                .number(
+                        "states of a search",
+                        SuggestionRequest.STATES_PER_SEARCH,
+                        "",
+                        "States that one search of one set of requirements looks at.")
+                .number(
+                        "states of all searches",
+                        SuggestionRequest.ALL_STATES,
+                        "",
+                        "States that all searches for one edge look at together.");
     }
 }
