@@ -91,6 +91,30 @@ final class Lease implements AutoCloseable {
         }
     }
 
+    /**
+     * Takes the lease where nobody holds it.
+     *
+     * @param holder how this process is called to others
+     * @param nanos a clock that does not jump
+     * @return empty if another process holds it
+     */
+    static Optional<Lease> takeIfFree(PostgresAddress address, LeaseTerms terms, String holder, LongSupplier nanos)
+            throws SQLException {
+        Connection connection = Connections.toRenew(address, ANSWER_SECONDS);
+        try {
+            long asked = nanos.getAsLong();
+            OptionalLong epoch = LeaseTable.take(connection, holder, terms.length());
+            if (epoch.isEmpty()) {
+                Connections.drop(connection);
+                return Optional.empty();
+            }
+            return Optional.of(new Lease(address, terms, nanos, epoch.getAsLong(), connection, asked));
+        } catch (SQLException | RuntimeException fault) {
+            Connections.drop(connection);
+            throw fault;
+        }
+    }
+
     private static void pause(Duration left) throws InterruptedIOException {
         try {
             TimeUnit.MILLISECONDS.sleep(Math.max(1, Math.min(LOOK_MILLIS, left.toMillis())));

@@ -8,47 +8,65 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
-/** Waits for the end of another's lease. Takes nothing and writes nothing; a database that is gone meanwhile is asked again until it answers. */
+/** Waits for the end of another's lease and takes it then; of several that wait, the others go on waiting. A database that is gone meanwhile is asked again until it answers. */
 final class LeaseWatch {
     private static final long LOOK_MILLIS = 200;
     private static final int ANSWER_SECONDS = 2;
 
     private final PostgresAddress address;
+    private final Taking taking;
     private final Consumer<String> lines;
     private String said = "";
     private boolean answered;
+
+    /** How a lease that is over is taken. */
+    @FunctionalInterface
+    interface Taking {
+        /** Takes it; empty if another was faster. */
+        Optional<Lease> take() throws SQLException;
+    }
 
     /**
      * A watch that has not begun.
      *
      * @param lines what it waits for, for people; each line once in a row
      */
-    LeaseWatch(PostgresAddress address, Consumer<String> lines) {
+    LeaseWatch(PostgresAddress address, Taking taking, Consumer<String> lines) {
         this.address = address;
+        this.taking = taking;
         this.lines = lines;
     }
 
     /**
-     * Returns once the journal has a lease and it is over, by the database's clock.
+     * Returns once the journal had a lease, it is over by the database's clock, and this process has taken it.
      *
      * @throws IOException if the database refuses the first connection
      * @throws InterruptedIOException if the thread is interrupted
      */
-    void await() throws IOException {
+    Lease await() throws IOException {
         while (true) {
-            try (Connection connection = Connections.toRenew(address, ANSWER_SECONDS)) {
-                answered = true;
-                while (!isOver(connection)) {
-                    pause();
+            try {
+                awaitEnd();
+                Optional<Lease> taken = taking.take();
+                if (taken.isPresent()) {
+                    return taken.get();
                 }
-                return;
             } catch (SQLException fault) {
                 if (!answered) {
                     throw DatabaseFaults.of(address, 0, "cannot be read", fault);
                 }
                 say("the database does not answer: " + DatabaseFaults.words(fault));
+                pause();
             }
-            pause();
+        }
+    }
+
+    private void awaitEnd() throws SQLException, InterruptedIOException {
+        try (Connection connection = Connections.toRenew(address, ANSWER_SECONDS)) {
+            answered = true;
+            while (!isOver(connection)) {
+                pause();
+            }
         }
     }
 

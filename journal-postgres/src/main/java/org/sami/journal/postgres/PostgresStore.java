@@ -97,6 +97,30 @@ public final class PostgresStore implements JournalStore {
     @Override
     public PostgresJournal open(String text, JournalOptions options) throws IOException {
         PostgresAddress address = PostgresAddress.parse(text);
+        return open(address, options, () -> Lease.take(address, terms, holder, nanos));
+    }
+
+    @Override
+    public PostgresJournal takeOver(String text, JournalOptions options, Consumer<String> lines) throws IOException {
+        PostgresAddress address = PostgresAddress.parse(text);
+        Lease lease = new LeaseWatch(address, () -> Lease.takeIfFree(address, terms, holder, nanos), lines).await();
+        try {
+            lines.accept("nobody held the session any more; this base has taken it");
+            return open(address, options, () -> lease);
+        } catch (IOException | RuntimeException fault) {
+            lease.close();
+            throw fault;
+        }
+    }
+
+    /** How a lease comes about. */
+    @FunctionalInterface
+    private interface Taking {
+        Lease take() throws SQLException, IOException;
+    }
+
+    private static PostgresJournal open(PostgresAddress address, JournalOptions options, Taking lease)
+            throws IOException {
         try {
             Connection connection = Connections.toWrite(address);
             try {
@@ -105,7 +129,7 @@ public final class PostgresStore implements JournalStore {
                 }
                 Migrations.run(connection, address);
                 connection.commit();
-                return opened(address, connection, options);
+                return opened(address, connection, lease.take(), options);
             } catch (SQLException | IOException | RuntimeException fault) {
                 Connections.drop(connection);
                 throw fault;
@@ -115,9 +139,9 @@ public final class PostgresStore implements JournalStore {
         }
     }
 
-    private PostgresJournal opened(PostgresAddress address, Connection connection, JournalOptions options)
+    private static PostgresJournal opened(
+            PostgresAddress address, Connection connection, Lease lease, JournalOptions options)
             throws SQLException, IOException {
-        Lease lease = Lease.take(address, terms, holder, nanos);
         try {
             JournalTables tables =
                     JournalTables.open(address.words(), connection, new PostgresRows(connection), options);
@@ -136,11 +160,6 @@ public final class PostgresStore implements JournalStore {
             lease.close();
             throw fault;
         }
-    }
-
-    @Override
-    public void awaitFree(String text, Consumer<String> lines) throws IOException {
-        new LeaseWatch(PostgresAddress.parse(text), lines).await();
     }
 
     /** Makes room behind the last valid entry; what stood there is kept as it was found. */

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.zonky.test.db.postgres.embedded.EmbeddedPostgres;
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.io.UncheckedIOException;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutorService;
@@ -13,6 +14,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -34,7 +36,7 @@ class LeaseWatchTest {
     @Test
     void aStandbyWaitsWhileTheOtherHoldsItAndGoesOnWithAllEntries() throws Exception {
         try (PostgresJournal first = Journals.create("laptop-1", address)) {
-            Future<?> waiting = thread.submit(() -> await(address));
+            Future<PostgresJournal> waiting = thread.submit(() -> takeOver("laptop-2", address, lines::add));
             assertThat(lines.take())
                     .startsWith("the session is held by laptop-1 since")
                     .endsWith("(epoch 1)");
@@ -43,8 +45,7 @@ class LeaseWatchTest {
 
             Journals.endLease(address);
 
-            waiting.get();
-            try (PostgresJournal second = Journals.base("laptop-2").open(address, JournalOptions.DEFAULT)) {
+            try (PostgresJournal second = waiting.get()) {
                 assertThat(second.epoch()).isEqualTo(2);
                 second.append(Journals.entries(3, 1), Durability.PROCESS);
             }
@@ -54,14 +55,14 @@ class LeaseWatchTest {
 
     @Test
     void aStandbyThatIsStartedFirstWaitsForTheSessionToBegin() throws Exception {
-        Future<?> waiting = thread.submit(() -> await(address));
+        Future<PostgresJournal> waiting = thread.submit(() -> takeOver("laptop-2", address, lines::add));
         assertThat(lines.take()).isEqualTo("nobody has begun the session");
 
         PostgresJournal first = Journals.create("laptop-1", address);
         assertThat(lines.take()).startsWith("the session is held by laptop-1");
         first.close();
 
-        waiting.get();
+        waiting.get().close();
     }
 
     @Test
@@ -69,7 +70,7 @@ class LeaseWatchTest {
         try (EmbeddedPostgres server = TestServer.builder().start()) {
             String own = TestServer.address(server.getPort());
             try (PostgresJournal first = Journals.create("laptop-1", own)) {
-                Future<?> waiting = thread.submit(() -> await(own));
+                Future<PostgresJournal> waiting = thread.submit(() -> takeOver("laptop-2", own, lines::add));
                 assertThat(lines.take()).startsWith("the session is held by laptop-1");
 
                 TestServer.run(
@@ -80,16 +81,93 @@ class LeaseWatchTest {
                 assertThat(lines.take()).startsWith("the database does not answer");
                 assertThat(lines.take()).startsWith("the session is held by laptop-1");
                 Journals.endLease(own);
-                waiting.get();
-                assertThat(first.epoch()).isEqualTo(1);
+                try (PostgresJournal second = waiting.get()) {
+                    assertThat(second.epoch()).isEqualTo(first.epoch() + 1);
+                }
             }
         }
     }
 
     @Test
+    void ofTwoStandbysOneTakesTheSessionAndTheOtherGoesOnWaitingForIt() throws Exception {
+        BlockingQueue<PostgresJournal> taken = new LinkedBlockingQueue<>();
+        BlockingQueue<String> ofThird = new LinkedBlockingQueue<>();
+        ExecutorService both = Executors.newFixedThreadPool(2);
+        try (PostgresJournal first = Journals.create("laptop-1", address)) {
+            both.execute(() -> taken.add(journal("laptop-2", lines)));
+            both.execute(() -> taken.add(journal("laptop-3", ofThird)));
+            assertThat(lines.take()).startsWith("the session is held by laptop-1");
+            assertThat(ofThird.take()).startsWith("the session is held by laptop-1");
+
+            Journals.endLease(address);
+            PostgresJournal faster = taken.take();
+            boolean second = lines.take().startsWith("nobody held");
+            String late = second ? ofThird.take() : lines.take();
+
+            assertThat(late)
+                    .startsWith("the session is held by laptop-" + (second ? 2 : 3))
+                    .endsWith("(epoch 2)");
+            assertThat(taken).isEmpty();
+            faster.append(Journals.entries(0, 3), Durability.PROCESS);
+            faster.close();
+            try (PostgresJournal later = taken.take()) {
+                assertThat(later.epoch()).isEqualTo(first.epoch() + 2);
+                assertThat(later.lastIndex()).isEqualTo(3);
+            }
+        } finally {
+            both.shutdownNow();
+        }
+    }
+
+    @Test
+    void aStandbyThatFoundTheLeaseOverAndCameTooLateGoesOnWaiting() throws Exception {
+        try (PostgresJournal first = Journals.create("laptop-1", address)) {
+            Journals.endLease(address);
+            CompletableFuture<PostgresJournal> faster = new CompletableFuture<>();
+            PostgresAddress parsed = PostgresAddress.parse(address);
+            LeaseTerms terms =
+                    new LeaseTerms(Journals.OWN_LIMIT.multipliedBy(2), Journals.OWN_LIMIT, Journals.OWN_LIMIT);
+            LeaseWatch late = new LeaseWatch(
+                    parsed,
+                    () -> {
+                        if (!faster.isDone()) {
+                            faster.complete(open("laptop-2")); // between the look and the take
+                        }
+                        return Lease.takeIfFree(parsed, terms, "laptop-3", System::nanoTime);
+                    },
+                    lines::add);
+            Future<Lease> waiting = thread.submit(late::await);
+
+            assertThat(lines.take())
+                    .startsWith("the session is held by laptop-2")
+                    .endsWith("(epoch 2)");
+            assertThat(waiting.isDone()).isFalse();
+            faster.get().close();
+            try (Lease taken = waiting.get()) {
+                assertThat(taken.epoch()).isEqualTo(first.epoch() + 2);
+            }
+        }
+    }
+
+    private PostgresJournal journal(String name, BlockingQueue<String> said) {
+        try {
+            return takeOver(name, address, said::add);
+        } catch (IOException fault) {
+            throw new UncheckedIOException(fault);
+        }
+    }
+
+    private PostgresJournal open(String name) {
+        try {
+            return Journals.base(name).open(address, JournalOptions.DEFAULT);
+        } catch (IOException fault) {
+            throw new UncheckedIOException(fault);
+        }
+    }
+
+    @Test
     void aDatabaseThatWasNeverReachedEndsTheWait() {
-        assertThatThrownBy(() ->
-                        new PostgresStore().awaitFree("postgresql://localhost:1/postgres?user=postgres", lines::add))
+        assertThatThrownBy(() -> takeOver("laptop-2", "postgresql://localhost:1/postgres?user=postgres", lines::add))
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("cannot be read");
     }
@@ -99,7 +177,7 @@ class LeaseWatchTest {
         CompletableFuture<Throwable> end = new CompletableFuture<>();
         thread.execute(() -> {
             try {
-                new PostgresStore().awaitFree(address, lines::add);
+                takeOver("laptop-2", address, lines::add).close();
             } catch (IOException fault) {
                 end.complete(fault);
             }
@@ -111,8 +189,7 @@ class LeaseWatchTest {
         assertThat(end.get(1, TimeUnit.MINUTES)).isInstanceOf(InterruptedIOException.class);
     }
 
-    private Void await(String where) throws IOException {
-        new PostgresStore().awaitFree(where, lines::add);
-        return null;
+    private PostgresJournal takeOver(String name, String where, Consumer<String> said) throws IOException {
+        return Journals.base(name).takeOver(where, JournalOptions.DEFAULT, said);
     }
 }

@@ -88,15 +88,16 @@ public final class JournalAddress {
     }
 
     /**
-     * Waits until there is a journal that somebody has written and nobody holds any more.
+     * Waits until there is a journal that somebody has written and nobody holds any more, and opens it to go on with it. Of several that wait one gets it; the others go on waiting.
      *
      * @param lines what is waited for, for people
      * @throws IllegalStateException if this is a file, which one laptop has alone
      * @throws java.io.InterruptedIOException if the thread is interrupted
-     * @throws IOException if the database refuses the first connection; a later fault is waited for
+     * @throws IOException if the database refuses the first connection, which a later one that fails does not end, or the journal cannot be opened
      */
-    public void awaitFree(Consumer<String> lines) throws IOException {
-        store.orElseThrow(() -> new IllegalStateException(text + " is a file")).awaitFree(text, lines);
+    public StoredJournal takeOver(JournalOptions options, Consumer<String> lines) throws IOException {
+        return store.orElseThrow(() -> new IllegalStateException(text + " is a file"))
+                .takeOver(text, options, lines);
     }
 
     /**

@@ -34,13 +34,13 @@ public interface JournalStore {
     StoredJournal open(String address, JournalOptions options) throws IOException;
 
     /**
-     * Waits until there is a journal that somebody has written and nobody holds any more.
+     * Waits until there is a journal that somebody has written and nobody holds any more, and opens it to go on with it. Of several that wait one gets it; the others go on waiting.
      *
      * @param lines what is waited for, for people
      * @throws java.io.InterruptedIOException if the thread is interrupted
-     * @throws IOException if the database refuses the first connection; a later fault is waited for
+     * @throws IOException if the database refuses the first connection, which a later one that fails does not end, or the journal cannot be opened
      */
-    void awaitFree(String address, Consumer<String> lines) throws IOException;
+    StoredJournal takeOver(String address, JournalOptions options, Consumer<String> lines) throws IOException;
 
     /** Opens a journal to read it. */
     JournalReader read(String address) throws JournalException;

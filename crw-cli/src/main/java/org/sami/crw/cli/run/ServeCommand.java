@@ -27,7 +27,6 @@ import org.sami.session.map.TileFile;
 import org.sami.session.person.People;
 import org.sami.session.server.ServerAddress;
 import org.sami.session.server.SessionServer;
-import org.sami.spn.journal.JournalAddress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -108,28 +107,19 @@ public final class ServeCommand implements Callable<Integer> {
             throw new UsageFault("--script is carried out by the base that begins the session, not by --standby");
         }
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            if (standby && !awaitTurn()) {
-                return ExitCode.OK;
-            }
-            return options.open(false, (session, begin) -> run(session, begin, stop));
+            SessionOptions.Use use = (session, begin) -> run(session, begin, stop);
+            return standby ? takeOver(use) : options.open(false, use);
         }
     }
 
-    /** Waits for the end of the other base; false if Ctrl-C ended the wait. */
-    private boolean awaitTurn() throws IOException {
-        JournalAddress journal = options.journal()
-                .filter(where -> where.file().isEmpty())
-                .orElseThrow(() -> new UsageFault(
-                        "--standby needs a database that both bases reach: --journal postgresql://HOST:PORT/DATABASE"));
+    private int takeOver(SessionOptions.Use use) throws IOException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
         try {
-            journal.awaitFree(line -> print(out, "standby: " + line));
+            return options.takeOver(line -> print(out, "standby: " + line), use);
         } catch (InterruptedIOException ended) {
-            Thread.interrupted(); // by Ctrl-C: nothing was begun
-            return false;
+            Thread.interrupted(); // by Ctrl-C, while it waited: nothing was begun
+            return ExitCode.OK;
         }
-        print(out, "standby: nobody holds the session any more; taking it over");
-        return true;
     }
 
     private int run(Session session, SessionOptions.Begin begin, StopOnInterrupt stop) throws IOException {

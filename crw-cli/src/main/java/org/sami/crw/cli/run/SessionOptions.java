@@ -2,7 +2,6 @@ package org.sami.crw.cli.run;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -170,19 +169,38 @@ final class SessionOptions {
      * @throws UsageFault if the options do not fit
      */
     int open(boolean attended, Use use) throws IOException, InterruptedException {
+        return open(attended, Optional.empty(), use);
+    }
+
+    /**
+     * The same, once another base's lease of the session is over; waits until then.
+     *
+     * @param lines what is waited for, for people
+     * @throws java.io.InterruptedIOException if the thread is interrupted while it waits
+     */
+    int takeOver(Consumer<String> lines, Use use) throws IOException, InterruptedException {
+        if (journal == null || journal.file().isPresent()) {
+            throw new UsageFault(
+                    "--standby needs a database that both bases reach: --journal postgresql://HOST:PORT/DATABASE");
+        }
+        return open(false, Optional.of(EarlierSession.ofAnotherBase(journal, lines)), use);
+    }
+
+    private int open(boolean attended, Optional<EarlierSession> later, Use use)
+            throws IOException, InterruptedException {
         links.use();
         List<BoatAddress> addresses = addresses();
         Optional<String> unfit = Optional.ofNullable(mavlink).flatMap(StationLinks::whyNot);
         if (unfit.isPresent()) {
             throw new UsageFault("--mavlink: " + unfit.get());
         }
-        Optional<Asked> asked = journal != null && isThere(journal) ? Optional.of(resumed(journal)) : fresh();
+        Optional<Asked> asked = later.isPresent() ? Optional.of(resumed(later.get())) : asked();
         return asked.isEmpty() ? ExitCode.FINDINGS : open(asked.get(), addresses, attended, use);
     }
 
-    /** Where the session is kept, if anywhere. */
-    Optional<JournalAddress> journal() {
-        return Optional.ofNullable(journal);
+    private Optional<Asked> asked() throws IOException {
+        JournalAddress from = journal;
+        return from != null && EarlierSession.isThere(from) ? Optional.of(resumed(EarlierSession.at(from))) : fresh();
     }
 
     private List<BoatAddress> addresses() throws IOException, InterruptedException {
@@ -205,11 +223,11 @@ final class SessionOptions {
         return addresses;
     }
 
-    private Asked resumed(JournalAddress from) throws IOException {
+    private Asked resumed(EarlierSession earlier) throws IOException {
         if (name != null) {
-            throw new UsageFault("the project is that of " + from + "; leave out '" + name + "'");
+            throw new UsageFault("the project is that of " + journal + "; leave out '" + name + "'");
         }
-        SessionJournal opened = opened(from);
+        SessionJournal opened = earlier.open();
         Map<String, String> settings =
                 opened.header().map(JournalHeader::settings).orElse(Map.of());
         return new Asked(
@@ -258,23 +276,6 @@ final class SessionOptions {
         return new WaterAround(
                 vessels == null ? ForeignVessels.NONE : VesselsFile.read(vessels, "--vessels"),
                 layers.layers(Path.of("")));
-    }
-
-    /** A name that is taken by anything is no new journal. */
-    private static boolean isThere(JournalAddress journal) throws IOException {
-        return journal.file().isPresent() ? Files.exists(journal.file().get()) : journal.exists();
-    }
-
-    private static SessionJournal opened(JournalAddress file) throws IOException {
-        SessionJournal opened = SessionJournal.open(file);
-        String kind = opened.header()
-                .map(header -> header.settings().getOrDefault("kind", ""))
-                .orElse("");
-        if (!kind.equals("session")) {
-            opened.close();
-            throw new UsageFault(file + " is the journal of a run; go on with it by: crw resume " + file);
-        }
-        return opened;
     }
 
     private int open(Asked asked, List<BoatAddress> addresses, boolean attended, Use use)

@@ -114,7 +114,22 @@ public final class SessionJournal implements Closeable {
      * @throws IOException if it is no journal, is damaged from its head, or another process writes it
      */
     public static SessionJournal open(JournalAddress address) throws IOException {
-        StoredJournal journal = address.open(JournalOptions.DEFAULT);
+        return resumed(address, address.open(JournalOptions.DEFAULT));
+    }
+
+    /**
+     * The journal of a session that another base holds, once that base's lease is over; waits until then.
+     *
+     * @param address in a database that both bases reach
+     * @param lines what is waited for, for people
+     * @throws java.io.InterruptedIOException if the thread is interrupted
+     * @throws IOException if the database refuses the first connection, or the journal cannot be opened
+     */
+    public static SessionJournal takeOver(JournalAddress address, Consumer<String> lines) throws IOException {
+        return resumed(address, address.takeOver(JournalOptions.DEFAULT, lines));
+    }
+
+    private static SessionJournal resumed(JournalAddress address, StoredJournal journal) throws IOException {
         try (JournalReader reader = address.read()) {
             return new SessionJournal(journal, reader.telemetry());
         } catch (IOException | RuntimeException fault) {

@@ -1,0 +1,61 @@
+package org.sami.crw.cli.run;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.function.Consumer;
+import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.session.archive.SessionJournal;
+import org.sami.spn.journal.JournalAddress;
+
+/** A session that an earlier process began, or that another base holds still, in its journal. */
+final class EarlierSession {
+    private final JournalAddress journal;
+    private final Opening opening;
+
+    @FunctionalInterface
+    private interface Opening {
+        SessionJournal open() throws IOException;
+    }
+
+    private EarlierSession(JournalAddress journal, Opening opening) {
+        this.journal = journal;
+        this.opening = opening;
+    }
+
+    /** One whose process is over. */
+    static EarlierSession at(JournalAddress journal) {
+        return new EarlierSession(journal, () -> SessionJournal.open(journal));
+    }
+
+    /**
+     * One that another base holds: opening it waits for the end of that base's lease.
+     *
+     * @param lines what is waited for, for people
+     */
+    static EarlierSession ofAnotherBase(JournalAddress journal, Consumer<String> lines) {
+        return new EarlierSession(journal, () -> SessionJournal.takeOver(journal, lines));
+    }
+
+    /** Whether there is one; a file's name that is taken by anything is no new journal. */
+    static boolean isThere(JournalAddress journal) throws IOException {
+        return journal.file().isPresent() ? Files.exists(journal.file().get()) : journal.exists();
+    }
+
+    /**
+     * Opens its journal.
+     *
+     * @throws UsageFault if it is the journal of a run
+     * @throws java.io.InterruptedIOException if the thread is interrupted while this waits
+     */
+    SessionJournal open() throws IOException {
+        SessionJournal opened = opening.open();
+        String kind = opened.header()
+                .map(header -> header.settings().getOrDefault("kind", ""))
+                .orElse("");
+        if (!kind.equals("session")) {
+            opened.close();
+            throw new UsageFault(journal + " is the journal of a run; go on with it by: crw resume " + journal);
+        }
+        return opened;
+    }
+}
