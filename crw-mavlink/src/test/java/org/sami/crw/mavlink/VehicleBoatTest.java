@@ -2,8 +2,6 @@ package org.sami.crw.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
-import io.dronefleet.mavlink.common.NamedValueFloat;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +24,7 @@ import org.sami.crw.handler.planning.BoatDemands;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.mavlink.testing.SensorMessages;
 import org.sami.mavlink.testing.SmallBoat;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
@@ -122,13 +121,13 @@ class VehicleBoatTest {
 
     @Test
     void measuresWhatItHasReported() {
-        boat.sends(NamedValueFloat.builder().name("TEMP").value(12.5f).build());
+        boat.sends(SensorMessages.named("TEMP", 12.5));
         world.until(
                 "its thermometer is known",
                 BOAT,
                 proxy -> proxy.capabilities().measures().equals(Optional.of(List.of("autopilot/temp"))));
 
-        boat.sends(Rangefinder.builder().distance(3.2f).build());
+        boat.sends(SensorMessages.range(3.2));
         world.until(
                 "its depth sounder is known, too",
                 BOAT,
