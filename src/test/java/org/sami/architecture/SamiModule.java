@@ -55,7 +55,7 @@ enum SamiModule {
                     "org.sami.spn.testcase.."),
             List.of(SPN_LANGUAGE)),
     /** Journals in PostgreSQL. */
-    JOURNAL_POSTGRES("journal-postgres", 14, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
+    JOURNAL_POSTGRES("journal-postgres", 20, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
     /** Place/transition nets and their analysis: no plan and no boat. */
     PETRI("petri", 140, List.of("org.sami.petri.."), List.of()),
     /** What helps to write plans. */
