@@ -88,7 +88,14 @@ final class Taught {
         in(NEVER, "menu:project-new", "menu:project-open", "menu:project-save-folder", "menu:library-open");
         in(NEVER, "menu:import-*", "menu:plan-compare-*", "menu:pattern-*", "menu:replay-*", "menu:panel-replay");
         in(NEVER, "menu:panel-queries", "menu:query-*", "query-*");
-        in(NEVER, "menu:panel-comparison", "menu:deep-*", "menu:issue-fix", "menu:net-append", "menu:net-disable");
+        in(
+                NEVER,
+                "menu:panel-comparison",
+                "menu:deep-*",
+                "menu:edge-suggest",
+                "menu:issue-fix",
+                "menu:net-append",
+                "menu:net-disable");
         in(NEVER, "menu:net-add-note", "menu:net-add-frame", "inspector-frame-*", "inspector-disabled");
         in(NEVER, "inspector-locked", "inspector-compute", "inspector-propose-requirement", "inspector-ends-shared");
         in(NEVER, "inspector-fix", "count-warnings", "deep-*", "issues-show-warning", "issues-show-note", "replay-*");
