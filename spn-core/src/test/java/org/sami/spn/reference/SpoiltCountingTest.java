@@ -4,19 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.nio.file.Path;
-import java.util.Optional;
-import java.util.function.LongFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.sami.spn.testing.SpoiltClasses;
 
 /** The comparison of counted with named robots notices when one line of what counts them, or of what names them in a run, is wrong: each row spoils one. */
 class SpoiltCountingTest {
     private static final Path PLANS = Path.of("../spn-authoring/src/main/java/org/sami/spn/plannet");
     private static final int MOST_SEEDS = 500;
+    private static final SpoiltNets NETS = new SpoiltNets(CountedJudge.class, MOST_SEEDS);
 
     /** What is spoilt, the class, and the line. */
     static Stream<Arguments> lines() {
@@ -73,33 +71,8 @@ class SpoiltCountingTest {
     @MethodSource("lines")
     void disagreesSoon(String spoilt, String source, String right, String wrong, @TempDir Path folder)
             throws ReflectiveOperationException {
-        LongFunction<?> judge = (LongFunction<?>)
-                SpoiltClasses.with(folder, PLANS.resolve(source + ".java"), right, wrong, SpoiltCountingTest::isSpoilt)
-                        .loadClass(CountedJudge.class.getName())
-                        .getConstructors()[0]
-                        .newInstance();
-
-        Optional<?> found = Optional.empty();
-        for (long seed = 1; seed <= MOST_SEEDS && found.isEmpty(); seed++) {
-            found = judged(judge, seed);
-        }
-
-        assertThat(found).as(spoilt).isPresent();
-    }
-
-    /** Nets, and what compares them. */
-    private static boolean isSpoilt(String name) {
-        return name.startsWith("org.sami.spn.plannet.")
-                || name.startsWith("org.sami.petri.")
-                || name.startsWith("org.sami.spn.reference.");
-    }
-
-    /** What differs; a net that cannot be made, or a run in which a robot is missing, is noticed too. */
-    private static Optional<?> judged(LongFunction<?> judge, long seed) {
-        try {
-            return (Optional<?>) judge.apply(seed);
-        } catch (IllegalArgumentException | IllegalStateException | IndexOutOfBoundsException broken) {
-            return Optional.of("seed " + seed + ": " + broken);
-        }
+        assertThat(NETS.difference(folder, PLANS.resolve(source + ".java"), right, wrong))
+                .as(spoilt)
+                .isPresent();
     }
 }

@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.nio.file.Path;
-import java.util.Optional;
-import java.util.function.LongFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -13,7 +11,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.sami.spn.testing.SpoiltClasses;
 
 /** The comparisons of plans' nets with the engine notice when one line of the translation, or of the search, is wrong: each row spoils one. */
 @Tag("long")
@@ -22,6 +19,7 @@ class SpoiltTranslationTest {
     private static final Path SEARCHES = Path.of("../petri/src/main/java/org/sami/petri/graph");
     private static final int LEAST_SPOILT = 20;
     private static final int MOST_SEEDS = 1000;
+    private static final SpoiltNets NETS = new SpoiltNets(NetJudge.class, MOST_SEEDS);
 
     /** What is spoilt, and the line. */
     static Stream<Arguments> lines() {
@@ -132,33 +130,6 @@ class SpoiltTranslationTest {
     @MethodSource("lines")
     void disagreesSoon(String spoilt, Path source, String right, String wrong, @TempDir Path folder)
             throws ReflectiveOperationException {
-        LongFunction<?> judge =
-                (LongFunction<?>) SpoiltClasses.with(folder, source, right, wrong, SpoiltTranslationTest::isSpoilt)
-                        .loadClass(NetJudge.class.getName())
-                        .getConstructors()[0]
-                        .newInstance();
-
-        Optional<?> found = Optional.empty();
-        for (long seed = 1; seed <= MOST_SEEDS && found.isEmpty(); seed++) {
-            found = judged(judge, seed);
-        }
-
-        assertThat(found).as(spoilt).isPresent();
-    }
-
-    /** Nets, and what compares them with the engine. */
-    private static boolean isSpoilt(String name) {
-        return name.startsWith("org.sami.spn.plannet.")
-                || name.startsWith("org.sami.petri.")
-                || name.startsWith("org.sami.spn.reference.");
-    }
-
-    /** What differs; a net that cannot be made or searched any more is noticed too. */
-    private static Optional<?> judged(LongFunction<?> judge, long seed) {
-        try {
-            return (Optional<?>) judge.apply(seed);
-        } catch (IllegalArgumentException | IllegalStateException | IndexOutOfBoundsException broken) {
-            return Optional.of("seed " + seed + ": " + broken);
-        }
+        assertThat(NETS.difference(folder, source, right, wrong)).as(spoilt).isPresent();
     }
 }
