@@ -1,10 +1,12 @@
 package org.sami.crw.report.picture;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.Shape;
+import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
@@ -16,7 +18,7 @@ import org.sami.crw.report.RunReport;
 
 /**
  * The map of the depths that were measured: squares in steps of blue, the darker the deeper, with meridians and parallels, scale bar, north arrow, and a legend in
- * metres. Drawn in memory; needs no display.
+ * metres. Squares whose depth is that between measured ones are hatched. Drawn in memory; needs no display.
  */
 public final class DepthPicture {
     private static final int WIDTH = 1240;
@@ -28,6 +30,7 @@ public final class DepthPicture {
     private static final Color SHALLOW = new Color(0xe3, 0xf4, 0xdf);
     private static final Color MIDDLE = new Color(0x3f, 0x9f, 0xc4);
     private static final Color DEEP = new Color(0x08, 0x1d, 0x58);
+    private static final Color HATCH = new Color(255, 255, 255, 150);
 
     private final RunReport report;
     private final DepthsPart depths;
@@ -106,8 +109,18 @@ public final class DepthPicture {
                     (int) Math.floor(north),
                     (int) Math.floor(east) - (int) Math.floor(west),
                     (int) Math.floor(south) - (int) Math.floor(north));
+            if (cell.readings() == 0) {
+                hatch(g, new Rectangle2D.Double(west, north, east - west, south - north));
+            }
         }
         g.setClip(before);
+    }
+
+    /** Says of a square that its depth lies between measured ones. */
+    private static void hatch(Graphics2D g, Rectangle2D square) {
+        g.setColor(HATCH);
+        g.setStroke(new BasicStroke(1.4f));
+        g.draw(new Line2D.Double(square.getX(), square.getMaxY(), square.getMaxX(), square.getY()));
     }
 
     private void legend(Graphics2D g) {
@@ -130,6 +143,15 @@ public final class DepthPicture {
                     (float) (LEGEND + SWATCH * 1.4 + 14),
                     y + SWATCH / 2f + 5);
             y += SWATCH;
+        }
+        if (depths.cells().stream().anyMatch(cell -> cell.readings() == 0)) {
+            Rectangle2D swatch = new Rectangle2D.Double(LEGEND, y + 14, SWATCH * 1.4, SWATCH);
+            g.setColor(color(steps() / 2));
+            g.fill(swatch);
+            hatch(g, swatch);
+            g.setColor(MapColors.INK);
+            g.drawString("between readings", (float) (LEGEND + SWATCH * 1.4 + 14), y + 14 + SWATCH / 2f + 5);
+            y += 14 + SWATCH;
         }
         g.setColor(MapColors.FAINT_INK);
         g.drawString("no colour: not measured", LEGEND, y + 28);
