@@ -30,8 +30,7 @@ final class BoatExplainer {
     /** What a boat does that drives without leaving its place; which of the two, it does not say. */
     private static final String MAKES_ROOM = "makes room for another boat or drives back";
 
-    private static final String NOT_LOCATED =
-            "it has not said where it is, so no way clear of what it is not to enter is known";
+    private static final String NOT_LOCATED = "it has not said where it is, so its way cannot be checked";
 
     /** Slower than this it may as well drift, in m/s: more than a current and a breeze in the field. */
     private static final double DRIVES_MPS = 0.4;

@@ -77,6 +77,11 @@ public final class ProxyCommands {
         afterwards.run();
     }
 
+    /** Says whether there is a command that waits for the boat to say where it is; {@link BoatProxy#explain} names it. */
+    public void awaitPosition(boolean waits) {
+        driver.awaitPosition(waits);
+    }
+
     /**
      * Takes back all that a mission has for this boat, and its block; the boat goes on with the next command of another
      * mission, or stops. Not reported to the listener.

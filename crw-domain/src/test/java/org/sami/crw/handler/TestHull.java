@@ -23,6 +23,9 @@ final class TestHull implements Vehicle {
     /** How far, how fast and how narrowly the boat says that it drives. */
     BoatPerformance performance = BoatPerformance.UNKNOWN;
 
+    /** Whether it knows where it is. */
+    boolean isLocated = true;
+
     private GeoPoint position;
     private double headingRad;
     private double port;
@@ -91,12 +94,12 @@ final class TestHull implements Vehicle {
 
     @Override
     public double latDeg() {
-        return position.latDeg();
+        return isLocated ? position.latDeg() : Double.NaN;
     }
 
     @Override
     public double lonDeg() {
-        return position.lonDeg();
+        return isLocated ? position.lonDeg() : Double.NaN;
     }
 
     @Override

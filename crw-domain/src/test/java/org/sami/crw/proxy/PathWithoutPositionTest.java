@@ -85,9 +85,8 @@ class PathWithoutPositionTest {
 
         assertThat(boat.proxy.explain().cause()).isEqualTo(Cause.NO_POSITION);
         assertThat(boat.proxy.explain().text())
-                .isEqualTo(
-                        "boat1 does not move: it has not said where it is, so no way clear of what it is not to enter"
-                                + " is known; one command waits");
+                .isEqualTo("boat1 does not move: it has not said where it is, so its way cannot be checked; one command"
+                        + " waits");
     }
 
     @Test

@@ -45,6 +45,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     private final Map<String, List<SentCommand>> again = new LinkedHashMap<>(); // by command, who had it sent once more
     private final Map<Long, Set<String>> takenBack = new HashMap<>();
     private final LeftPaths left;
+    private final MovesAwaitingPosition awaitingPosition;
 
     public MotionCommands(ProxyRegistry boats, MessageSink messages, WayQuestions questions, ClearWays clearWays) {
         this.clearWays = clearWays;
@@ -52,6 +53,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         this.questions = questions;
         this.messages = messages;
         left = new LeftPaths(boats);
+        awaitingPosition = new MovesAwaitingPosition(boats);
     }
 
     /** What boats have left of their paths. */
@@ -59,14 +61,21 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         return left;
     }
 
-    /** Gives commands to boats; those that are sent where something is wrong wait for the operator's answer. */
+    /**
+     * Gives commands to boats. A boat that has not said where it is gets its command once it has; those that are sent where something is wrong wait
+     * for the operator's answer.
+     */
     public void send(Activation activation, HandlerContext context, List<Move> moves) {
         Set<String> without = takenBack.getOrDefault(activation.id(), Set.of());
         takenBack.remove(activation.id());
         List<Move> wanted = moves.stream()
                 .filter(move -> !without.contains(move.addressee().boat()))
                 .toList();
-        List<Move> limited = clearWays.limit(activation, context, wanted);
+        check(activation, context, awaitingPosition.hold(activation, context, wanted));
+    }
+
+    private void check(Activation activation, HandlerContext context, List<Move> moves) {
+        List<Move> limited = clearWays.limit(activation, context, moves);
         List<Move> clear = questions.hold(activation, context, limited, new WayQuestions.Sender() {
             @Override
             public void send(Activation asked, HandlerContext answerTo, List<Move> allowed) {
@@ -170,6 +179,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     /** Takes back what a mission has for boats; no boats named = for all. */
     public void withdraw(long mission, List<String> named) {
         questions.withdraw(mission, named);
+        awaitingPosition.withdraw(mission, named);
         again.values()
                 .forEach(all -> all.removeIf(
                         one -> one.mission() == mission && (named.isEmpty() || named.contains(one.boat()))));
@@ -198,6 +208,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     /** Withdraws a mission's commands from a boat at another mission's request; a transition that waits receives the failure. */
     void abort(long mission, String boat, String reason) {
         questions.withdraw(mission, List.of(boat));
+        awaitingPosition.withdraw(mission, List.of(boat));
         boats.find(boat)
                 .ifPresent(proxy -> proxy.commands().withdraw(mission).forEach(command -> {
                     left.takenFrom(boat, command, visited(sent.get(command.commandId())));
@@ -212,6 +223,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     @Override
     public void accept(FleetEvent event) {
         questions.accept(event);
+        awaitingPosition.released(event).forEach(one -> check(one.activation(), one.context(), List.of(one.move())));
         if (event instanceof FleetEvent.Progressed progressed) {
             onProgress(progressed.command(), progressed.visited());
         } else if (event instanceof FleetEvent.PanoramaTaken panorama) {

@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
-import org.sami.crw.decision.AskedActivation;
 import org.sami.crw.decision.DomainQuestion;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.fleet.FleetEvent;
@@ -35,7 +34,6 @@ import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
-import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
@@ -49,14 +47,13 @@ public final class WayQuestions implements HostListener {
     /** Begins the reason of a command that failed because the operator did not want it. */
     public static final String REJECTED_WAY = "the operator does not want it";
 
-    private static final int NAMED = 3;
-
     private final ProxyRegistry boats;
     private final MessageSink messages;
     private final Executor fleet;
     private final Set<String> withWayHome;
     private final FutileReturns returns;
-    private final Map<String, Held> held = new LinkedHashMap<>(); // by kind and activation
+    private final Map<String, WayQuestion> held = new LinkedHashMap<>(); // by kind and activation
+    private final List<WayQuestion> next = new ArrayList<>(); // the same, while an earlier one is open
 
     /** What becomes of moves that were asked about. */
     interface Sender {
@@ -65,23 +62,6 @@ public final class WayQuestions implements HostListener {
 
         /** The operator does not want it. */
         void refuse(Activation activation, HandlerContext context, Move move, String reason);
-    }
-
-    private record Doubted(Move move, WayDoubt doubt) {}
-
-    private record Held(
-            DomainQuestion question, Activation activation, HandlerContext context, Sender sender, List<Doubted> all) {
-        String about() {
-            return AskedActivation.of(activation).subject();
-        }
-
-        boolean isFutile() {
-            return question == DomainQuestion.FUTILE_WAY || question == DomainQuestion.ONE_WAY;
-        }
-
-        String memory() {
-            return "way/" + question.kind() + "/" + activation.id();
-        }
     }
 
     /**
@@ -105,7 +85,7 @@ public final class WayQuestions implements HostListener {
     /** Keeps the moves that are doubted and asks about them; the others are returned. */
     List<Move> hold(Activation activation, HandlerContext context, List<Move> moves, Sender sender) {
         List<Move> clear = new ArrayList<>();
-        Map<DomainQuestion, Held> doubted = new EnumMap<>(DomainQuestion.class);
+        Map<DomainQuestion, WayQuestion> doubted = new EnumMap<>(DomainQuestion.class);
         List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> PlanAreas.avoided(activation, view));
         for (Move move : moves) {
             Optional<Way> way = way(activation, move, avoid);
@@ -122,12 +102,12 @@ public final class WayQuestions implements HostListener {
             } else {
                 doubted.computeIfAbsent(
                                 question(doubt.get()),
-                                kind -> new Held(kind, activation, context, sender, new ArrayList<>()))
-                        .all()
-                        .add(new Doubted(move, doubt.get()));
+                                kind -> new WayQuestion(kind, activation, context, sender, new ArrayList<>()))
+                        .doubted()
+                        .add(new WayQuestion.Doubted(move, doubt.get()));
             }
         }
-        doubted.values().forEach(this::askUnlessAnswered);
+        doubted.values().forEach(this::settleAnsweredAndAsk);
         return clear;
     }
 
@@ -182,29 +162,33 @@ public final class WayQuestions implements HostListener {
                         move.command().water()));
     }
 
-    private void askUnlessAnswered(Held one) {
-        Optional<Boolean> answer = one.context
-                .query(view -> view.memory(one.activation.mission(), one.memory()))
-                .filter(BooleanValue.class::isInstance)
-                .map(value -> ((BooleanValue) value).value());
-        if (answer.isPresent()) {
-            settle(one, answer.get());
+    /** Boats about which the operator has decided go or do not; who else is doubted is asked about, one question after the other. */
+    private void settleAnsweredAndAsk(WayQuestion question) {
+        List<Boolean> answers = List.of(true, false);
+        for (boolean yes : answers) {
+            question.takeAnswered(yes).ifPresent(answered -> settle(answered, yes));
+        }
+        if (question.doubted().isEmpty()) {
             return;
         }
-        held.put(key(one.question.kind(), one.about()), one);
-        List<String> all = one.all.stream()
-                .map(doubted -> doubted.doubt.words())
-                .distinct()
-                .toList();
-        String doubts = all.stream().limit(NAMED).collect(Collectors.joining("; "));
-        int more = all.size() - NAMED;
-        one.context.post(new Input.AskOperator(
-                one.question.kind(),
-                one.about(),
-                doubts + (more > 0 ? "; and " + more + " boats more" : "") + ". Send "
-                        + (one.all.size() == 1 ? "it" : "them")
-                        + (one.isFutile() ? " without coming home first?" : "?"),
-                Priority.HIGH));
+        String key = key(question.kind().kind(), question.about());
+        if (held.containsKey(key)) {
+            next.add(question);
+        } else {
+            held.put(key, question);
+            question.ask();
+        }
+    }
+
+    private void askNext(String key) {
+        next.stream()
+                .filter(question ->
+                        key(question.kind().kind(), question.about()).equals(key))
+                .findFirst()
+                .ifPresent(question -> {
+                    next.remove(question);
+                    settleAnsweredAndAsk(question);
+                });
     }
 
     private static String key(String kind, String about) {
@@ -215,60 +199,54 @@ public final class WayQuestions implements HostListener {
     public Optional<DoubtedPaths> doubted(String kind, String about) {
         return Optional.ofNullable(held.get(key(kind, about))).map(one -> {
             Map<String, GeoPath> paths = new LinkedHashMap<>();
-            one.all.stream()
-                    .map(Doubted::move)
+            one.doubted().stream()
+                    .map(WayQuestion.Doubted::move)
                     .filter(move -> !move.command().unvisitedPoints().isEmpty())
                     .forEach(move -> paths.put(
                             move.addressee().boat(), new GeoPath(move.command().unvisitedPoints())));
-            return new DoubtedPaths(one.activation.mission(), paths);
+            return new DoubtedPaths(one.activation().mission(), paths);
         });
     }
 
     /** The missions that wait for an answer to such a question. */
     public Set<Long> missions() {
-        return held.values().stream().map(one -> one.activation.mission()).collect(Collectors.toSet());
+        return held.values().stream().map(one -> one.activation().mission()).collect(Collectors.toSet());
     }
 
-    private void settle(Held one, boolean yes) {
-        if (yes) {
-            if (one.isFutile()) {
-                one.all.forEach(doubted -> sendOn(one, doubted));
-            }
-            one.sender.send(
-                    one.activation,
-                    one.context,
-                    one.all.stream().map(Doubted::move).toList());
-        } else {
-            one.all.forEach(doubted -> one.sender.refuse(
-                    one.activation, one.context, doubted.move, REJECTED_WAY + ": " + doubted.doubt.words()));
+    private void settle(WayQuestion one, boolean yes) {
+        if (!yes) {
+            one.refuse(REJECTED_WAY);
+            return;
         }
+        if (one.isFutile()) {
+            one.doubted().forEach(doubted -> sendOn(one, doubted));
+        }
+        one.send();
     }
 
-    private void sendOn(Held one, Doubted doubted) {
-        String boat = doubted.move.addressee().boat();
+    private void sendOn(WayQuestion one, WayQuestion.Doubted doubted) {
+        String boat = doubted.boat();
         messages.tell(ActivationMessages.of(
-                one.activation,
-                one.context,
+                one.activation(),
+                one.context(),
                 Priority.MEDIUM,
-                doubted.doubt.words() + ". It goes on without coming home first, as the operator wants",
+                doubted.doubt().words() + ". It goes on without coming home first, as the operator wants",
                 List.of(boat)));
-        returns.excuse(boat, one.activation.mission(), one.context);
+        returns.excuse(boat, one.activation().mission(), one.context());
     }
 
     /** Takes back what a mission wants of boats; no boats named = of all. A question that is about nobody any longer is withdrawn. */
     void withdraw(long mission, List<String> named) {
+        next.removeIf(one -> one.withdraw(mission, named));
         Set<String> over = new HashSet<>();
         held.forEach((key, one) -> {
-            if (one.activation.mission() == mission) {
-                one.all.removeIf(doubted -> named.isEmpty()
-                        || named.contains(doubted.move.addressee().boat()));
-                if (one.all.isEmpty()) {
-                    over.add(key);
-                    one.context.post(new Input.WithdrawQuestion(one.question.kind(), one.about()));
-                }
+            if (one.withdraw(mission, named)) {
+                over.add(key);
+                one.context().post(new Input.WithdrawQuestion(one.kind().kind(), one.about()));
             }
         });
         held.keySet().removeAll(over);
+        over.forEach(this::askNext);
     }
 
     @Override
@@ -281,11 +259,12 @@ public final class WayQuestions implements HostListener {
     }
 
     private void answered(Effect.QuestionAnswered answered) {
-        Held one = held.remove(key(answered.kind(), answered.about()));
+        String key = key(answered.kind(), answered.about());
+        WayQuestion one = held.remove(key);
         if (one != null) {
-            one.context.post(
-                    new Input.Remember(one.activation.mission(), one.memory(), new BooleanValue(answered.yes())));
+            one.remember(answered.yes());
             settle(one, answered.yes());
+            askNext(key);
         }
     }
 }

@@ -49,6 +49,7 @@ public final class CommandDriver {
     private LastCommandOutcome lastWord = LastCommandOutcome.NONE;
     private int wireIds;
     private boolean mustStop;
+    private boolean isHeldForPosition;
     private Progress held = new Progress("", 0, false);
     private String earlierList = "";
 
@@ -275,10 +276,16 @@ public final class CommandDriver {
     }
 
     /**
-     * Whether nothing is begun because the boat has not said where it is: a way that keeps clear of what it is not to enter is planned from there.
+     * Whether nothing is begun because the boat has not said where it is: its way is checked from there, and planned around what it is not to enter.
      */
     public boolean waitsForPosition() {
-        return run.isEmpty() && task().filter(this::lacksPosition).isPresent();
+        return run.isEmpty()
+                && (isHeldForPosition || task().filter(this::lacksPosition).isPresent());
+    }
+
+    /** A command is kept back until the boat says where it is, or no longer is. */
+    public void awaitPosition(boolean waits) {
+        isHeldForPosition = waits;
     }
 
     private boolean lacksPosition(QueuedCommand queued) {

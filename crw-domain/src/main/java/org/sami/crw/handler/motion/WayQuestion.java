@@ -1,0 +1,120 @@
+package org.sami.crw.handler.motion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.sami.crw.decision.AskedActivation;
+import org.sami.crw.decision.DomainQuestion;
+import org.sami.crw.service.reach.WayDoubt;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.BooleanValue;
+
+/**
+ * A question about the ways on which an activation sends boats, and the moves that wait for its answer. The answer is remembered for each boat in
+ * the mission's memory. For the fleet's thread.
+ *
+ * @param kind what is doubted
+ * @param sender sends or refuses the moves
+ * @param doubted the boats that wait; changes when a mission takes them back
+ */
+record WayQuestion(
+        DomainQuestion kind,
+        Activation activation,
+        HandlerContext context,
+        WayQuestions.Sender sender,
+        List<Doubted> doubted) {
+    private static final int NAMED = 3;
+
+    /** A move, and what is wrong with its way. */
+    record Doubted(Move move, WayDoubt doubt) {
+        /** The boat's id. */
+        String boat() {
+            return move.addressee().boat();
+        }
+    }
+
+    /** What the question is about, as the engine knows it. */
+    String about() {
+        return AskedActivation.of(activation).subject();
+    }
+
+    /** Whether it is about boats that came back too often. */
+    boolean isFutile() {
+        return kind == DomainQuestion.FUTILE_WAY || kind == DomainQuestion.ONE_WAY;
+    }
+
+    /** Asks the operator. */
+    void ask() {
+        List<String> all =
+                doubted.stream().map(one -> one.doubt().words()).distinct().toList();
+        String doubts = all.stream().limit(NAMED).collect(Collectors.joining("; "));
+        int more = all.size() - NAMED;
+        context.post(new Input.AskOperator(
+                kind.kind(),
+                about(),
+                doubts + (more > 0 ? "; and " + more + " boats more" : "") + ". Send "
+                        + (doubted.size() == 1 ? "it" : "them") + (isFutile() ? " without coming home first?" : "?"),
+                Priority.HIGH));
+    }
+
+    /** Takes the boats out about which the operator has given this answer already; empty where there are none. */
+    Optional<WayQuestion> takeAnswered(boolean yes) {
+        List<Doubted> answered = doubted.stream()
+                .filter(one -> answer(one.boat()).filter(known -> known == yes).isPresent())
+                .toList();
+        doubted.removeAll(answered);
+        return answered.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new WayQuestion(kind, activation, context, sender, new ArrayList<>(answered)));
+    }
+
+    /** Journals from before 2026-11-28 keep one answer for all boats of the activation. */
+    private Optional<Boolean> answer(String boat) {
+        return answerAt(memory(boat)).or(() -> answerAt(memory()));
+    }
+
+    private Optional<Boolean> answerAt(String key) {
+        return context.query(view -> view.memory(activation.mission(), key))
+                .filter(BooleanValue.class::isInstance)
+                .map(value -> ((BooleanValue) value).value());
+    }
+
+    /** Has the mission remember the operator's answer for each boat, so that nobody is asked again after a restart of the base. */
+    void remember(boolean yes) {
+        context.post(doubted.stream()
+                .<Input>map(one -> new Input.Remember(activation.mission(), memory(one.boat()), new BooleanValue(yes)))
+                .toList());
+    }
+
+    private String memory() {
+        return "way/" + kind.kind() + "/" + activation.id();
+    }
+
+    private String memory(String boat) {
+        return memory() + "/" + boat;
+    }
+
+    /** Sends all that wait. */
+    void send() {
+        sender.send(activation, context, doubted.stream().map(Doubted::move).toList());
+    }
+
+    /** Answers for all that wait that they are not sent. */
+    void refuse(String reason) {
+        doubted.forEach(one -> sender.refuse(
+                activation, context, one.move(), reason + ": " + one.doubt().words()));
+    }
+
+    /** Takes boats back where it is this mission's question; no boats named = all. Returns whether it is about nobody any longer. */
+    boolean withdraw(long mission, List<String> named) {
+        if (activation.mission() != mission) {
+            return false;
+        }
+        doubted.removeIf(one -> named.isEmpty() || named.contains(one.boat()));
+        return doubted.isEmpty();
+    }
+}

@@ -1,0 +1,145 @@
+package org.sami.crw.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.service.Geodesy;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.value.GeoPath;
+
+/** Boats that are sent somewhere before they have said where they are. */
+class WayBeforePositionTest {
+    private static final GeoPath NEAR = to(100);
+    private static final GeoPath FAR = to(6_000);
+    private static final String QUESTION = "DoubtfulWay";
+
+    private final ScriptedEngine engine = new ScriptedEngine(TestWorld.VOCABULARY);
+    private final TestWorld world = new TestWorld(engine);
+
+    private static GeoPath to(double northM) {
+        return new GeoPath(List.of(Geodesy.offset(TestWorld.HOME, 0, northM)));
+    }
+
+    @BeforeEach
+    void boatsThatSayNothingYet() {
+        world.addBoat("a", 0, 0);
+        world.addBoat("b", 5, 0);
+    }
+
+    private void send(Map<String, GeoPath> paths) {
+        world.happens(
+                engine,
+                new TestActivations("ProxyExecutePath")
+                        .with("paths", ProxyMaps.toValue(paths))
+                        .of(paths.keySet().toArray(String[]::new))
+                        .effect());
+    }
+
+    private List<Input.AskOperator> asked() {
+        return engine.inputs.stream()
+                .filter(Input.AskOperator.class::isInstance)
+                .map(Input.AskOperator.class::cast)
+                .toList();
+    }
+
+    private BoatProxy boat(String id) {
+        return world.boats.find(id).orElseThrow();
+    }
+
+    private boolean hasCommand(String id) {
+        return boat(id).commands().current().isPresent()
+                || !boat(id).commands().waiting().isEmpty();
+    }
+
+    @Test
+    void operatorIsAskedAboutAFarWayOnceTheBoatHasSaidWhereItIs() {
+        send(Map.of("a", FAR));
+        assertThat(hasCommand("a")).isFalse();
+        assertThat(asked()).isEmpty();
+
+        world.run(2);
+
+        assertThat(asked()).singleElement().extracting(Input.AskOperator::kind).isEqualTo(QUESTION);
+        assertThat(hasCommand("a")).isFalse();
+    }
+
+    @Test
+    void nearWayIsDrivenOnceTheBoatHasSaidWhereItIs() {
+        send(Map.of("a", NEAR));
+        assertThat(hasCommand("a")).isFalse();
+
+        world.run(90);
+
+        assertThat(asked()).isEmpty();
+        assertThat(engine.received("ProxyPathCompleted"))
+                .extracting(Occurrence::proxies)
+                .containsExactly(List.of("a"));
+    }
+
+    @Test
+    void waitingIsExplained() {
+        TestHull hull = world.hull("a");
+        hull.isLocated = false;
+        world.run(2);
+        send(Map.of("a", NEAR));
+
+        assertThat(boat("a").explain().cause()).isEqualTo(BoatExplanation.Cause.NO_POSITION);
+        assertThat(boat("a").explain().text()).contains("it has not said where it is, so its way cannot be checked");
+        assertThat(boat("b").explain().cause()).isNotEqualTo(BoatExplanation.Cause.NO_POSITION);
+        hull.isLocated = true;
+        world.run(2);
+        assertThat(boat("a").explain().cause()).isNotEqualTo(BoatExplanation.Cause.NO_POSITION);
+    }
+
+    @Test
+    void missionThatTakesBoatsBackTakesBackWhatWaits() {
+        send(Map.of("a", NEAR));
+        world.happens(engine, new Effect.CommandsWithdrawn(1, List.of("a")));
+
+        world.run(30);
+
+        assertThat(hasCommand("a")).isFalse();
+        assertThat(world.hull("a").isAtRest()).isTrue();
+    }
+
+    @Test
+    void boatThatSaysLaterWhereItIsIsAskedAboutByItself() {
+        world.cutLink("b", true);
+        Map<String, GeoPath> paths = new LinkedHashMap<>();
+        paths.put("a", FAR);
+        paths.put("b", FAR);
+        send(paths);
+        world.run(2);
+        assertThat(asked()).singleElement().asString().contains("a is to go").doesNotContain("b is to go");
+
+        world.cutLink("b", false);
+        world.run(10);
+        assertThat(asked()).as("one question after the other").hasSize(1);
+        world.happens(engine, answer(true));
+        world.run(1);
+
+        assertThat(hasCommand("a")).isTrue();
+        assertThat(asked()).hasSize(2);
+        assertThat(asked().get(1).toString()).contains("b is to go").doesNotContain("a is to go");
+        assertThat(hasCommand("b")).isFalse();
+        world.happens(engine, answer(false));
+        world.run(1);
+        assertThat(engine.received("ProxyPathFailed"))
+                .extracting(Occurrence::proxies)
+                .containsExactly(List.of("b"));
+    }
+
+    private Effect answer(boolean yes) {
+        Input.AskOperator last = asked().get(asked().size() - 1);
+        return new Effect.QuestionAnswered(last.kind(), last.about(), yes);
+    }
+}
