@@ -26,6 +26,7 @@ import org.sami.crw.operator.MapModel;
 import org.sami.crw.operator.map.SensorLayer;
 import org.sami.crw.operator.map.ShownTrack;
 import org.sami.crw.operator.mission.MissionSnapshot;
+import org.sami.crw.proxy.ProxyCommands;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.session.RefusedException;
@@ -49,6 +50,18 @@ import org.sami.spn.value.Value;
 @Timeout(900)
 @Execution(ExecutionMode.CONCURRENT)
 class SessionResumeTest {
+    private static final String FAR = """
+        {"formatVersion": 1, "id": "p", "name": "far", "domain": "crw", "plans": [{"id": "far", "name": "far", "places": [
+           {"id": "go", "name": "Go there", "start": true, "outputs": [{"id": "way", "type": "ProxyExecutePath",
+            "fields": {"paths": {"value": {"anna": [{"lat": 45.46, "lon": 10.9}]}}}}]},
+           {"id": "there", "name": "There", "end": true}],
+          "transitions": [{"id": "t", "inputs": [{"id": "i", "type": "ProxyPathCompleted"}]}],
+          "inEdges": [{"id": "a", "place": "go", "transition": "t",
+           "requirements": [{"match": "all", "kind": "relevant"}]}],
+          "outEdges": [{"id": "b", "transition": "t", "place": "there",
+           "requirements": [{"action": "take", "n": "all", "kind": "relevant"}]}]}]}
+        """;
+
     @TempDir
     private Path folder;
 
@@ -99,6 +112,36 @@ class SessionResumeTest {
         Decision asked = TestSession.decision(again, "OperatorApprove");
         TestSession.get(again.answer(asked.id(), new Answer.YesNo(true), "window"));
         assertThat(TestSession.missions(again)).containsExactly(second);
+    }
+
+    @Test
+    void farWayThatWasAskedAboutIsNotDrivenUnderTheNextBaseUntilTheOperatorHasAnswered() throws Exception {
+        BoatOnTcp anna = world.boat("anna");
+        Path journal = folder.resolve("far.journal");
+        Session session = world.opened(TestSession.project(FAR), journal);
+        session.begin();
+        TestSession.get(session.fleet().connect(TestSession.address(anna)));
+        TestSession.until("anna has joined", session, view -> view.proxies().contains("anna"));
+        TestSession.get(session.start("far", "far", Map.of()));
+        TestSession.decision(session, "DoubtfulWay");
+        session.close();
+
+        Session again = world.resumed(journal);
+        again.earlierBoats().reconnect();
+        again.begin();
+        awaitPosition(again, "anna", at -> true);
+
+        Decision asked = TestSession.decision(again, "DoubtfulWay");
+        assertThat(commands(again, "anna")).isZero();
+        TestSession.get(again.answer(asked.id(), new Answer.YesNo(true), "window"));
+        Await.until("anna has its path", () -> commands(again, "anna") == 1);
+    }
+
+    private static int commands(Session session, String boat) {
+        return TestSession.get(session.fleet().ask(boats -> {
+            ProxyCommands commands = boats.find(boat).orElseThrow().commands();
+            return commands.waiting().size() + (commands.current().isPresent() ? 1 : 0);
+        }));
     }
 
     @Test
