@@ -158,7 +158,7 @@ public final class Engine {
         } else if (input instanceof Input.CompleteMission complete) {
             refused = stop(rules, complete.mission(), false);
         } else if (input instanceof Input.ProxyJoined joined) {
-            rules.state.proxies.add(joined.proxy());
+            rules.state.addProxies(List.of(joined.proxy()));
         } else if (input instanceof Input.ProxyDropped dropped) {
             refused = rules.robotRemoval.drop(dropped);
         } else if (input instanceof Input.AllocateTasks tasks) {

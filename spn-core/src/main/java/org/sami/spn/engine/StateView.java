@@ -176,7 +176,7 @@ final class StateView implements EngineView {
 
     @Override
     public List<String> proxies() {
-        return List.copyOf(state.proxies);
+        return List.copyOf(state.proxies());
     }
 
     @Override
@@ -272,7 +272,7 @@ final class StateView implements EngineView {
 
     @Override
     public List<Activation> openActivations() {
-        return state.sent.values().stream()
+        return state.sent.all().stream()
                 .filter(s -> s.open)
                 .map(s -> s.activation)
                 .sorted(java.util.Comparator.comparingLong(Activation::id))

@@ -51,7 +51,7 @@ public final class AlikeState {
         this.names = new AlikeNames(state.missions, robots, facts);
         this.values = new AlikeValues(names, facts);
         state.missions.values().forEach(this::mission);
-        state.proxies.forEach(robot -> facts.fact("known", names.robot(robot)));
+        state.proxies().forEach(robot -> facts.fact("known", names.robot(robot)));
         values.all("global", state.globals);
         values.all("memory", state.memory);
         timers();

@@ -33,7 +33,7 @@ public final class CanonicalEncoder {
         ProtocolEncoder out = ProtocolEncoder.canonical(numbers::mission);
         trees.forEach(tree -> tree(tree, numbers, out));
         out.text(state.newest().sha256);
-        out.texts(state.proxies);
+        out.texts(state.proxies());
         out.values(state.globals);
         out.values(state.memory);
         questions(out);
@@ -76,8 +76,9 @@ public final class CanonicalEncoder {
         out.text(tree.get(0).plan.project.sha256);
         CanonicalMission mission = new CanonicalMission(state, numbers, out);
         tree.forEach(mission::write);
-        List<RunningTimer> timers =
-                state.timers.stream().filter(t -> rootOf(t) == tree.get(0)).toList();
+        List<RunningTimer> timers = state.timers.isEmpty()
+                ? List.of()
+                : state.timers.stream().filter(t -> rootOf(t) == tree.get(0)).toList();
         out.integer(timers.size());
         for (RunningTimer t : timers) {
             out.number(t.due() - state.now);
@@ -93,6 +94,10 @@ public final class CanonicalEncoder {
 
     /** What the domain asks; there is one question of a kind about each. */
     private void questions(ProtocolEncoder out) {
+        if (state.decisions.isEmpty()) {
+            out.integer(0);
+            return;
+        }
         List<OpenDecision> asked = state.decisions.values().stream()
                 .filter(d -> d.purpose == OpenDecision.Purpose.DOMAIN)
                 .sorted(Comparator.comparing((OpenDecision d) -> d.decision.type())

@@ -1,10 +1,10 @@
 package org.sami.spn.engine.codec;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeSet;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NamedToken;
@@ -25,6 +25,10 @@ import org.sami.spn.vocabulary.EventRole;
 
 /** Writes what one mission means; its parent was written before it. */
 final class CanonicalMission {
+    private static final TransitionState.Queue[] NO_QUEUES = {};
+    private static final Comparator<Visit> BY_PLACE =
+            Comparator.comparingInt((Visit v) -> v.place.place.index).thenComparingLong(v -> v.id);
+
     private final NetState state;
     private final CanonicalNumbers numbers;
     private final ProtocolEncoder out;
@@ -92,18 +96,17 @@ final class CanonicalMission {
 
     /** Visits that go on, and ended ones of which something still speaks; by place, a place's in the order in which they began. */
     private void visits(MissionState m) {
-        TreeSet<Visit> visits = new TreeSet<>(
-                Comparator.comparingInt((Visit v) -> v.place.place.index).thenComparingLong(v -> v.id));
+        List<Visit> visits = new ArrayList<>();
         for (Visit v = m.firstVisit(); v != null; v = v.next) {
             visits.add(v);
         }
         for (PlaceState place : m.places) {
             if (place != null && place.lastVisits != null) {
-                visits.addAll(place.lastVisits.values());
+                visits.addAll(place.lastVisits.values()); // they have ended
             }
         }
         for (TransitionState t : m.transitions) {
-            for (TransitionState.Queue q : t == null ? new TransitionState.Queue[0] : t.queues) {
+            for (TransitionState.Queue q : t == null || t.pending == 0 ? NO_QUEUES : t.queues) {
                 for (PendingOccurrence p = q.first; p != null; p = p.next) {
                     if (p.visit() != null) {
                         visits.add(p.visit());
@@ -111,8 +114,23 @@ final class CanonicalMission {
                 }
             }
         }
-        out.integer(visits.size());
-        visits.forEach(this::visit);
+        visits.sort(BY_PLACE);
+        List<Visit> once = withoutCopies(visits);
+        out.integer(once.size());
+        once.forEach(this::visit);
+    }
+
+    /** Copies lie next to one another. */
+    private static List<Visit> withoutCopies(List<Visit> sorted) {
+        List<Visit> once = new ArrayList<>(sorted.size());
+        Visit last = null;
+        for (Visit v : sorted) {
+            if (v != last) {
+                once.add(v);
+            }
+            last = v;
+        }
+        return once;
     }
 
     private void visit(Visit v) {
@@ -144,7 +162,7 @@ final class CanonicalMission {
             out.token(e.token);
             out.number(numbers.visit(e.visit));
         }
-        SharedRun[] shared = place == null ? new SharedRun[0] : place.shared;
+        SharedRun[] shared = place == null ? SharedRun.NONE : place.shared;
         out.integer(shared.length);
         for (SharedRun run : shared) {
             instance(run.instance);
@@ -154,12 +172,17 @@ final class CanonicalMission {
                 out.text(r.value);
             });
         }
-        Map<Token, Visit> last = place == null || place.lastVisits == null ? Map.of() : place.lastVisits;
-        out.integer(last.size());
-        last.entrySet().stream().sorted(Map.Entry.comparingByKey(byMeaning())).forEach(e -> {
-            out.token(e.getKey());
-            out.number(numbers.visit(e.getValue()));
-        });
+        if (place == null || place.lastVisits == null || place.lastVisits.isEmpty()) {
+            out.integer(0);
+            return;
+        }
+        out.integer(place.lastVisits.size());
+        place.lastVisits.entrySet().stream()
+                .sorted(Map.Entry.comparingByKey(byMeaning()))
+                .forEach(e -> {
+                    out.token(e.getKey());
+                    out.number(numbers.visit(e.getValue()));
+                });
     }
 
     private Comparator<Token> byMeaning() {
@@ -224,6 +247,10 @@ final class CanonicalMission {
 
     /** Decisions that no activation asks; several of one interrupt in the order in which it was pressed. */
     private void decisions(MissionState m) {
+        if (m.decisions.isEmpty()) {
+            out.integer(0);
+            return;
+        }
         List<OpenDecision> open = state.decisionsOf(m).stream()
                 .filter(d -> d.purpose != OpenDecision.Purpose.ACTIVATION)
                 .sorted(Comparator.comparing((OpenDecision d) -> d.purpose)

@@ -18,9 +18,9 @@ final class CanonicalNumbers {
 
     private final Map<Long, MissionState> running;
     private final Map<Long, Long> missions = new HashMap<>();
-    private final Map<Long, Long> ended = new HashMap<>();
-    private final Map<Long, Long> activations = new HashMap<>();
-    private final Map<Visit, Long> visits = new HashMap<>();
+    private final FirstSpokenNumbers ended = new FirstSpokenNumbers();
+    private final FirstSpokenNumbers activations = new FirstSpokenNumbers();
+    private final FirstSpokenNumbers visits = new FirstSpokenNumbers();
 
     /**
      * Numbers some of the running missions.
@@ -40,14 +40,14 @@ final class CanonicalNumbers {
         if (number != null) {
             return number;
         }
-        return running.containsKey(id) ? ELSEWHERE : ELSEWHERE - ended.computeIfAbsent(id, i -> ended.size() + 1L);
+        return running.containsKey(id) ? ELSEWHERE : ELSEWHERE - ended.of(id);
     }
 
     long activation(long id) {
-        return id == Ids.NONE ? Ids.NONE : activations.computeIfAbsent(id, i -> activations.size() + 1L);
+        return id == Ids.NONE ? Ids.NONE : activations.of(id);
     }
 
     long visit(@Nullable Visit visit) {
-        return visit == null ? Ids.NONE : visits.computeIfAbsent(visit, v -> visits.size() + 1L);
+        return visit == null ? Ids.NONE : visits.of(visit.id);
     }
 }

@@ -85,7 +85,7 @@ public final class StateDecoder {
         state.lastTimer = in.number();
         state.firings = in.number();
         state.stamp = in.number();
-        state.proxies.addAll(in.texts());
+        state.addProxies(in.texts());
         state.globals.clear();
         state.globals.putAll(in.values());
         if (version > 1) {

@@ -54,7 +54,7 @@ public final class StateEncoder {
         }) {
             out.number(n);
         }
-        out.texts(s.proxies);
+        out.texts(s.proxies());
         out.values(s.globals);
         out.values(s.memory);
         out.integer(s.discardedNews.size());

@@ -1,10 +1,5 @@
 package org.sami.spn.engine.codec;
 
-import java.io.ByteArrayOutputStream;
-import java.io.DataOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -31,8 +26,7 @@ import org.sami.spn.value.VariableReference;
 
 /** Writes numbers, texts and values: of a value a tag for its kind, then what it holds. The tags are those of {@link ValueDecoder}. */
 public class ValueEncoder {
-    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    private final DataOutputStream out = new DataOutputStream(bytes);
+    private final ByteSink out = new ByteSink();
     private final LongUnaryOperator missionNumbers;
     private final boolean sorted;
 
@@ -48,23 +42,15 @@ public class ValueEncoder {
     }
 
     public byte[] bytes() {
-        return bytes.toByteArray();
+        return out.toBytes();
     }
 
     public void integer(int n) {
-        try {
-            out.writeInt(n);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        out.integer(n);
     }
 
     public void number(long n) {
-        try {
-            out.writeLong(n);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        out.number(n);
     }
 
     public void real(double d) {
@@ -76,13 +62,11 @@ public class ValueEncoder {
     }
 
     public void tag(int tag) {
-        bytes.write(tag);
+        out.octet(tag);
     }
 
     public void text(String s) {
-        byte[] utf = s.getBytes(StandardCharsets.UTF_8);
-        integer(utf.length);
-        bytes.write(utf, 0, utf.length);
+        out.text(s);
     }
 
     public void texts(Collection<String> texts) {
@@ -102,7 +86,7 @@ public class ValueEncoder {
 
     public void values(Map<String, Value> map) {
         integer(map.size());
-        (sorted ? new TreeMap<>(map) : map).forEach((k, v) -> {
+        (sorted && map.size() > 1 ? new TreeMap<>(map) : map).forEach((k, v) -> {
             text(k);
             value(v);
         });

@@ -153,7 +153,8 @@ final class Activating {
         switch (sent.output.role) {
             case TIMER, PROXY_TIMER -> rules.timers.start(sent);
             case GET_ALL_TOKENS ->
-                rules.post(() -> answer(sent, EventRole.TOKENS_RETURNED, List.copyOf(rules.state.proxies), List.of()));
+                rules.post(
+                        () -> answer(sent, EventRole.TOKENS_RETURNED, List.copyOf(rules.state.proxies()), List.of()));
             case GENERATE_TASKS -> {
                 List<TaskId> made = rules.allocation.generate(sent);
                 rules.post(() -> answer(sent, EventRole.TASKS_GENERATED, List.of(), made));

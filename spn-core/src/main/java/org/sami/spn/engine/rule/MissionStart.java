@@ -62,7 +62,7 @@ public final class MissionStart {
             return wrong;
         }
         if (marking.isPresent()) {
-            wrong = StartMarkingCheck.problem(marking.get(), plan.plan, rules.state.proxies)
+            wrong = StartMarkingCheck.problem(marking.get(), plan.plan, rules.state.proxies())
                     .or(parameters::takeDefaults);
             if (wrong.isPresent()) {
                 return wrong;
@@ -164,7 +164,7 @@ public final class MissionStart {
     private List<Token> rootTokens(MissionState m) {
         List<Token> tokens = new ArrayList<>();
         tokens.add(Token.GENERIC);
-        rules.state.proxies.forEach(p -> tokens.add(new Token.Proxy(p)));
+        tokens.addAll(rules.state.proxyTokens());
         m.tasks.values().forEach(t -> tokens.add(new Token.Task(t.id)));
         return tokens;
     }

@@ -94,7 +94,7 @@ final class Questions {
             return entered;
         }
         Set<String> standing = standing(sent);
-        return standing.isEmpty() ? List.copyOf(step.state.proxies) : List.copyOf(standing);
+        return standing.isEmpty() ? List.copyOf(step.state.proxies()) : List.copyOf(standing);
     }
 
     private static Set<String> standing(SentActivation sent) {
@@ -116,7 +116,7 @@ final class Questions {
         if (sent == null || open.purpose != OpenDecision.Purpose.ACTIVATION) {
             return List.of();
         }
-        List<String> all = List.copyOf(step.state.proxies);
+        List<String> all = List.copyOf(step.state.proxies());
         if (!sent.activation.proxies().isEmpty()) {
             all = sent.activation.proxies().stream()
                     .filter(robot -> isIn(sent, new Token.Proxy(robot)))

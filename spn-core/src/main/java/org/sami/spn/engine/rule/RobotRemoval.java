@@ -41,7 +41,7 @@ public final class RobotRemoval {
             return Optional.of("There is no running mission " + input.mission());
         }
         Token token = new Token.Proxy(input.proxy());
-        if (input.mission() == Ids.NONE && !rules.state.proxies.remove(input.proxy()) && !standsSomewhere(token)) {
+        if (input.mission() == Ids.NONE && !rules.state.removeProxy(input.proxy()) && !standsSomewhere(token)) {
             return Optional.of("No robot '" + input.proxy() + "' is known");
         }
         List<MissionState> concerned = rules.state.missions.values().stream()

@@ -49,7 +49,7 @@ public final class TaskAllocation {
                         NoteKind.REJECTED_INPUT,
                         step.state.missions.containsKey(task.mission()) ? task.mission() : Ids.NONE,
                         "There is no task '" + task.name() + "' of a running mission " + task.mission());
-            } else if (robot.isPresent() && !step.state.proxies.contains(robot.get())) {
+            } else if (robot.isPresent() && !step.state.proxies().contains(robot.get())) {
                 step.note(
                         NoteKind.REJECTED_INPUT,
                         task.mission(),

@@ -1,8 +1,8 @@
 package org.sami.spn.engine.state;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledProject;
+import org.sami.spn.protocol.Token;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
@@ -33,9 +34,8 @@ public final class NetState {
     /** Numbers orders of entry, selections and chains; never used outside. */
     public long stamp;
 
-    public final Set<String> proxies = new LinkedHashSet<>();
     public final Map<Long, MissionState> missions = new LinkedHashMap<>();
-    public final Map<Long, SentActivation> sent = new HashMap<>();
+    public final ById<SentActivation> sent = new ById<>();
     public final Map<Long, OpenDecision> decisions = new LinkedHashMap<>();
     public final TreeSet<RunningTimer> timers = new TreeSet<>();
     public final Map<String, Value> globals = new LinkedHashMap<>();
@@ -43,6 +43,9 @@ public final class NetState {
     public final Map<String, Value> memory = new LinkedHashMap<>();
     /** How many occurrences of coalesced types that nothing waited for were counted instead of noted. */
     public final Map<String, Long> discardedNews = new LinkedHashMap<>();
+
+    /** The known robots and their tokens, in the order in which they came; replaced, never changed, so that copies of the state share it. */
+    private Map<String, Token.Proxy> robots = Map.of();
 
     private CompiledProject newest;
 
@@ -54,6 +57,39 @@ public final class NetState {
         this.newest = project;
         project.project.globals().forEach(v -> v.initial().ifPresent(value -> globals.put(v.name(), value)));
         attentive = new ArrayList<>(Collections.nCopies(project.typeCount(), Map.of()));
+    }
+
+    /** The ids of the known robots, in the order in which they came. */
+    public Set<String> proxies() {
+        return robots.keySet();
+    }
+
+    /** The tokens of the known robots, in the same order. */
+    public Collection<Token.Proxy> proxyTokens() {
+        return robots.values();
+    }
+
+    /** Some robots are known from now on. */
+    public void addProxies(Collection<String> ids) {
+        Map<String, Token.Proxy> more = new LinkedHashMap<>(robots);
+        ids.forEach(id -> more.putIfAbsent(id, new Token.Proxy(id)));
+        robots = Collections.unmodifiableMap(more);
+    }
+
+    /** A robot is known no longer; says whether it was. */
+    public boolean removeProxy(String id) {
+        if (!robots.containsKey(id)) {
+            return false;
+        }
+        Map<String, Token.Proxy> left = new LinkedHashMap<>(robots);
+        left.remove(id);
+        robots = Collections.unmodifiableMap(left);
+        return true;
+    }
+
+    /** Knows the same robots as another state. */
+    void knowRobotsOf(NetState other) {
+        robots = other.robots;
     }
 
     /** The project whose plans missions have that start from now on. Knows the types of all versions before it. */

@@ -15,6 +15,9 @@ import org.sami.spn.protocol.Token;
  * oldest of a kind take constant time.
  */
 public final class PlaceState {
+    /** Up to so many proxy and task tokens are found by looking through them: in most places no table is needed. */
+    private static final int FEW = 16;
+
     public final MissionState mission;
     public final CompiledPlace place;
     public final int[] count = new int[PlacedToken.KINDS];
@@ -23,13 +26,15 @@ public final class PlaceState {
 
     public final @Nullable PlacedToken[] first = new PlacedToken[PlacedToken.KINDS];
     private final @Nullable PlacedToken[] last = new PlacedToken[PlacedToken.KINDS];
-    private final Map<Token, PlacedToken> named = new HashMap<>(4);
+    /** The oldest copy of each proxy and task token; null as long as there are few, which are looked through. */
+    private @Nullable Map<Token, PlacedToken> named;
+
     /** Visits by nobody that have not ended. */
     public final List<Visit> nobody = new ArrayList<>(0);
     /** Visits with sub-mission instances that have not ended, by id; created when needed. */
     public @Nullable Map<Long, Visit> instanceVisits;
     /** Static instances, in the order of the place's specifications; empty where it has none. */
-    public SharedRun[] shared = {};
+    public SharedRun[] shared = SharedRun.NONE;
     /** The last ended visit of each token, where answers outlive visits. */
     public @Nullable Map<Token, Visit> lastVisits;
 
@@ -48,7 +53,15 @@ public final class PlaceState {
 
     /** The oldest copy of a proxy or task token, or null. */
     public @Nullable PlacedToken find(Token token) {
-        return named.get(token);
+        if (named != null) {
+            return named.get(token);
+        }
+        for (PlacedToken e = first[PlacedToken.kindOf(token)]; e != null; e = e.nextOfKind) {
+            if (e.token.equals(token)) {
+                return e;
+            }
+        }
+        return null;
     }
 
     public Map<Long, Visit> instanceVisits() {
@@ -70,6 +83,7 @@ public final class PlaceState {
 
     public void add(PlacedToken e) {
         int k = e.kind;
+        PlacedToken copy = k == PlacedToken.GENERIC ? null : find(e.token);
         count[k]++;
         if (e.visit.held) {
             held[k]++;
@@ -81,21 +95,34 @@ public final class PlaceState {
             last[k].nextOfKind = e;
         }
         last[k] = e;
-        if (k != PlacedToken.GENERIC) {
-            PlacedToken copy = named.putIfAbsent(e.token, e);
-            while (copy != null) {
-                if (copy.nextCopy == null) {
-                    copy.nextCopy = e;
-                    break;
-                }
-                copy = copy.nextCopy;
-            }
+        while (copy != null && copy.nextCopy != null) {
+            copy = copy.nextCopy;
+        }
+        if (copy != null) {
+            copy.nextCopy = e;
+        } else if (k != PlacedToken.GENERIC) {
+            name(e);
         }
         e.visit.add(e);
     }
 
+    private void name(PlacedToken e) {
+        if (named != null) {
+            named.put(e.token, e);
+        } else if (count[PlacedToken.PROXY] + count[PlacedToken.TASK] > FEW) {
+            Map<Token, PlacedToken> all = new HashMap<>();
+            for (int k = PlacedToken.PROXY; k <= PlacedToken.TASK; k++) {
+                for (PlacedToken one = first[k]; one != null; one = one.nextOfKind) {
+                    all.putIfAbsent(one.token, one);
+                }
+            }
+            named = all;
+        }
+    }
+
     public void remove(PlacedToken e) {
         int k = e.kind;
+        PlacedToken oldest = k == PlacedToken.GENERIC ? null : find(e.token);
         count[k]--;
         if (e.visit.held) {
             held[k]--;
@@ -110,26 +137,26 @@ public final class PlaceState {
         } else {
             e.nextOfKind.previousOfKind = e.previousOfKind;
         }
-        if (k != PlacedToken.GENERIC) {
-            removeNamed(e);
+        if (oldest != null) {
+            removeCopy(e, oldest);
         }
         e.visit.remove(e);
     }
 
-    private void removeNamed(PlacedToken e) {
-        PlacedToken copy = named.get(e.token);
-        if (copy == e) {
+    private void removeCopy(PlacedToken e, PlacedToken oldest) {
+        if (oldest != e) {
+            PlacedToken copy = oldest;
+            while (copy.nextCopy != e) {
+                copy = Objects.requireNonNull(copy.nextCopy, "a token that stands here");
+            }
+            copy.nextCopy = e.nextCopy;
+        } else if (named != null) {
             if (e.nextCopy == null) {
                 named.remove(e.token);
             } else {
                 named.put(e.token, e.nextCopy);
             }
-            return;
         }
-        while (copy != null && copy.nextCopy != e) {
-            copy = copy.nextCopy;
-        }
-        Objects.requireNonNull(copy, "a token that stands here").nextCopy = e.nextCopy;
     }
 
     /** Tokens in order of entry. */

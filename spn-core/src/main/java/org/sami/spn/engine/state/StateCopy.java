@@ -46,7 +46,8 @@ public final class StateCopy {
         to.lastTimer = from.lastTimer;
         to.firings = from.firings;
         to.stamp = from.stamp;
-        to.proxies.addAll(from.proxies);
+        to.knowRobotsOf(from);
+        to.sent.makeRoom(from.sent.size());
         to.globals.clear();
         to.globals.putAll(from.globals);
         to.memory.putAll(from.memory);
