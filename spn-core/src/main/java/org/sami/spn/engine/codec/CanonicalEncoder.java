@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.OpenDecision;
@@ -73,7 +74,12 @@ public final class CanonicalEncoder {
 
     private void tree(List<MissionState> tree, CanonicalNumbers numbers, ProtocolEncoder out) {
         out.integer(tree.size());
-        out.text(tree.get(0).plan.project.sha256);
+        CompiledProject project = tree.get(0).plan.project;
+        boolean isNewest = project.sha256.equals(state.newest().sha256);
+        out.flag(isNewest);
+        if (!isNewest) {
+            out.text(project.sha256);
+        }
         CanonicalMission mission = new CanonicalMission(state, numbers, out);
         tree.forEach(mission::write);
         List<RunningTimer> timers = state.timers.isEmpty()

@@ -258,7 +258,7 @@ public final class StateDecoder {
         if (!ended) {
             m.addVisit(v);
             if (v.byNobody) {
-                place.nobody.add(v);
+                place.addByNobody(v);
             }
         }
     }

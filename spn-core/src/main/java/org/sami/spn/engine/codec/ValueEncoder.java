@@ -26,7 +26,7 @@ import org.sami.spn.value.VariableReference;
 
 /** Writes numbers, texts and values: of a value a tag for its kind, then what it holds. The tags are those of {@link ValueDecoder}. */
 public class ValueEncoder {
-    private final ByteSink out = new ByteSink();
+    private final ByteSink out;
     private final LongUnaryOperator missionNumbers;
     private final boolean sorted;
 
@@ -34,11 +34,12 @@ public class ValueEncoder {
      * Writes to the bytes that {@link #bytes} gives.
      *
      * @param missionNumbers what is written for the id of a task's mission
-     * @param sorted whether named values are written in the order of their names
+     * @param sorted whether named values are written in the order of their names, and numbers in few bytes
      */
     ValueEncoder(LongUnaryOperator missionNumbers, boolean sorted) {
         this.missionNumbers = missionNumbers;
         this.sorted = sorted;
+        out = new ByteSink(sorted);
     }
 
     public byte[] bytes() {

@@ -248,10 +248,10 @@ public final class Firing {
         List<Visit> ending = List.of();
         for (CompiledPlace place : t.inPlaces) {
             PlaceState state = m.places[place.index];
-            if (state == null || state.nobody.isEmpty()) {
+            if (state == null || state.byNobody().isEmpty()) {
                 continue;
             }
-            for (Visit v : state.nobody) {
+            for (Visit v : state.byNobody()) {
                 boolean goesOn = reach != Reach.ALL && v.hasRunning();
                 if (!goesOn && (!t.hasInputs() || t.clears || answers(used, v))) {
                     ending = ending.isEmpty() ? new ArrayList<>() : ending;

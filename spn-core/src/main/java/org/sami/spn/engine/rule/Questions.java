@@ -99,7 +99,7 @@ final class Questions {
 
     private static Set<String> standing(SentActivation sent) {
         Set<String> standing = new LinkedHashSet<>();
-        for (PlacedToken e = sent.visit.place.first[PlacedToken.PROXY]; e != null; e = e.nextOfKind) {
+        for (PlacedToken e = sent.visit.place.first(PlacedToken.PROXY); e != null; e = e.nextOfKind) {
             standing.add(((Token.Proxy) e.token).proxy());
         }
         return standing;

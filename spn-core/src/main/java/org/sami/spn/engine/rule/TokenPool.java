@@ -20,10 +20,10 @@ public final class TokenPool {
     public int count(PlaceState place, int kind, FiringScope scope) {
         if (scope.checked.isEmpty()) {
             if (scope.reach == Reach.ALL) {
-                return place.count[kind];
+                return place.count(kind);
             }
             if (scope.reach == Reach.FREE && place.shared.length == 0) {
-                return place.count[kind] - place.held[kind];
+                return place.count(kind) - place.held(kind);
             }
         }
         return count(place, kind, scope, t -> true);
@@ -33,7 +33,7 @@ public final class TokenPool {
     public int count(PlaceState place, int kind, FiringScope scope, Predicate<Token> fits) {
         List<PlacedToken> returned = returned(place, scope);
         int n = 0;
-        for (PlacedToken e = place.first[kind]; e != null; e = e.nextOfKind) {
+        for (PlacedToken e = place.first(kind); e != null; e = e.nextOfKind) {
             if (fits.test(e.token) && usable(e, scope, returned)) {
                 n++;
             }
@@ -67,7 +67,7 @@ public final class TokenPool {
             List<PlacedToken> into) {
         List<PlacedToken> returned = returned(place, scope);
         int n = 0;
-        for (PlacedToken e = place.first[kind]; e != null && n < limit; e = e.nextOfKind) {
+        for (PlacedToken e = place.first(kind); e != null && n < limit; e = e.nextOfKind) {
             if ((fits == null || fits.test(e.token)) && usable(e, scope, returned)) {
                 into.add(e);
                 n++;
@@ -81,7 +81,7 @@ public final class TokenPool {
         int kinds = 0;
         int only = 0;
         for (int k = 0; k < PlacedToken.KINDS; k++) {
-            if (place.count[k] > 0) {
+            if (place.count(k) > 0) {
                 kinds++;
                 only = k;
             }

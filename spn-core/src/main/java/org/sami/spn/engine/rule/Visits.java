@@ -33,7 +33,7 @@ final class Visits {
             v.enter(token, ++state.stamp);
         }
         if (v.byNobody) {
-            place.nobody.add(v);
+            place.addByNobody(v);
         }
         rules.emit(new Effect.Entered(place.mission.id, place.place.id(), v.id, v.entered));
         return v;
@@ -48,7 +48,7 @@ final class Visits {
         PlaceState place = v.place;
         place.mission.removeVisit(v);
         if (v.byNobody) {
-            place.nobody.remove(v);
+            place.removeByNobody(v);
             rules.emit(new Effect.Left(place.mission.id, place.place.id(), v.id, List.of()));
         }
         if (v.hasInstances()) {

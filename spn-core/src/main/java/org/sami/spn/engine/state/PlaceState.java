@@ -1,6 +1,7 @@
 package org.sami.spn.engine.state;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -20,17 +21,15 @@ public final class PlaceState {
 
     public final MissionState mission;
     public final CompiledPlace place;
-    public final int[] count = new int[PlacedToken.KINDS];
-    /** How many of them are held by running instances. */
-    public final int[] held = new int[PlacedToken.KINDS];
-
-    public final @Nullable PlacedToken[] first = new PlacedToken[PlacedToken.KINDS];
-    private final @Nullable PlacedToken[] last = new PlacedToken[PlacedToken.KINDS];
+    /** How many tokens of each kind stand here, then how many of each kind running instances hold. */
+    private final int[] counts = new int[2 * PlacedToken.KINDS];
+    /** The oldest token of each kind, then the newest of each. */
+    private final @Nullable PlacedToken[] ends = new PlacedToken[2 * PlacedToken.KINDS];
     /** The oldest copy of each proxy and task token; null as long as there are few, which are looked through. */
     private @Nullable Map<Token, PlacedToken> named;
 
     /** Visits by nobody that have not ended. */
-    public final List<Visit> nobody = new ArrayList<>(0);
+    private List<Visit> nobody = List.of();
     /** Visits with sub-mission instances that have not ended, by id; created when needed. */
     public @Nullable Map<Long, Visit> instanceVisits;
     /** Static instances, in the order of the place's specifications; empty where it has none. */
@@ -48,7 +47,45 @@ public final class PlaceState {
     }
 
     public int total() {
-        return count[0] + count[1] + count[2];
+        return counts[0] + counts[1] + counts[2];
+    }
+
+    /** How many tokens of a kind stand here. */
+    public int count(int kind) {
+        return counts[kind];
+    }
+
+    /** How many of them are held by running instances. */
+    public int held(int kind) {
+        return counts[PlacedToken.KINDS + kind];
+    }
+
+    /** More of them are held, or fewer. */
+    void hold(int kind, int more) {
+        counts[PlacedToken.KINDS + kind] += more;
+    }
+
+    /** The oldest token of a kind, or null. */
+    public @Nullable PlacedToken first(int kind) {
+        return ends[kind];
+    }
+
+    /** Visits by nobody that have not ended; changes when one begins or ends. */
+    public List<Visit> byNobody() {
+        return nobody;
+    }
+
+    /** A visit by nobody began. */
+    public void addByNobody(Visit visit) {
+        if (nobody.isEmpty()) {
+            nobody = new ArrayList<>(1);
+        }
+        nobody.add(visit);
+    }
+
+    /** A visit by nobody ended. */
+    public void removeByNobody(Visit visit) {
+        nobody.remove(visit);
     }
 
     /** The oldest copy of a proxy or task token, or null. */
@@ -56,7 +93,7 @@ public final class PlaceState {
         if (named != null) {
             return named.get(token);
         }
-        for (PlacedToken e = first[PlacedToken.kindOf(token)]; e != null; e = e.nextOfKind) {
+        for (PlacedToken e = ends[PlacedToken.kindOf(token)]; e != null; e = e.nextOfKind) {
             if (e.token.equals(token)) {
                 return e;
             }
@@ -84,17 +121,19 @@ public final class PlaceState {
     public void add(PlacedToken e) {
         int k = e.kind;
         PlacedToken copy = k == PlacedToken.GENERIC ? null : find(e.token);
-        count[k]++;
+        counts[k]++;
         if (e.visit.held) {
-            held[k]++;
+            hold(k, 1);
         }
-        e.previousOfKind = last[k];
-        if (last[k] == null) {
-            first[k] = e;
+        int newest = PlacedToken.KINDS + k;
+        PlacedToken last = ends[newest];
+        e.previousOfKind = last;
+        if (last == null) {
+            ends[k] = e;
         } else {
-            last[k].nextOfKind = e;
+            last.nextOfKind = e;
         }
-        last[k] = e;
+        ends[newest] = e;
         while (copy != null && copy.nextCopy != null) {
             copy = copy.nextCopy;
         }
@@ -109,10 +148,10 @@ public final class PlaceState {
     private void name(PlacedToken e) {
         if (named != null) {
             named.put(e.token, e);
-        } else if (count[PlacedToken.PROXY] + count[PlacedToken.TASK] > FEW) {
+        } else if (counts[PlacedToken.PROXY] + counts[PlacedToken.TASK] > FEW) {
             Map<Token, PlacedToken> all = new HashMap<>();
             for (int k = PlacedToken.PROXY; k <= PlacedToken.TASK; k++) {
-                for (PlacedToken one = first[k]; one != null; one = one.nextOfKind) {
+                for (PlacedToken one = ends[k]; one != null; one = one.nextOfKind) {
                     all.putIfAbsent(one.token, one);
                 }
             }
@@ -123,17 +162,17 @@ public final class PlaceState {
     public void remove(PlacedToken e) {
         int k = e.kind;
         PlacedToken oldest = k == PlacedToken.GENERIC ? null : find(e.token);
-        count[k]--;
+        counts[k]--;
         if (e.visit.held) {
-            held[k]--;
+            hold(k, -1);
         }
         if (e.previousOfKind == null) {
-            first[k] = e.nextOfKind;
+            ends[k] = e.nextOfKind;
         } else {
             e.previousOfKind.nextOfKind = e.nextOfKind;
         }
         if (e.nextOfKind == null) {
-            last[k] = e.previousOfKind;
+            ends[PlacedToken.KINDS + k] = e.previousOfKind;
         } else {
             e.nextOfKind.previousOfKind = e.previousOfKind;
         }
@@ -162,7 +201,7 @@ public final class PlaceState {
     /** Tokens in order of entry. */
     public List<PlacedToken> inOrder() {
         List<PlacedToken> result = new ArrayList<>(total());
-        @Nullable PlacedToken[] next = first.clone();
+        @Nullable PlacedToken[] next = Arrays.copyOf(ends, PlacedToken.KINDS);
         for (int i = total(); i > 0; i--) {
             int oldest = -1;
             for (int k = 0; k < PlacedToken.KINDS; k++) {

@@ -24,6 +24,9 @@ public final class StateCopy {
     /** Returns that pending occurrences tell; a visit's instance has its return in no list. Looked up only, never gone through. */
     private final Map<Return, Return> returns = new HashMap<>();
 
+    /** The copy of the mission that was asked for last: mostly the next one is of it too. */
+    private @Nullable MissionState copiedMission;
+
     private StateCopy(NetState from) {
         this.from = from;
         this.to = new NetState(from.first);
@@ -150,7 +153,7 @@ public final class StateCopy {
         if (!old.ended) {
             m.addVisit(v);
             if (v.byNobody) {
-                place.nobody.add(v);
+                place.addByNobody(v);
             }
             for (PlacedToken e = old.first; e != null; e = e.nextOfVisit) {
                 v.enter(e.token, e.order);
@@ -220,8 +223,10 @@ public final class StateCopy {
     }
 
     private PlaceState place(PlaceState old) {
-        return Objects.requireNonNull(to.missions.get(old.mission.id), "a mission that was copied")
-                .place(old.place.index);
+        if (copiedMission == null || copiedMission.id != old.mission.id) {
+            copiedMission = Objects.requireNonNull(to.missions.get(old.mission.id), "a mission that was copied");
+        }
+        return copiedMission.place(old.place.index);
     }
 
     private @Nullable SentActivation sent(@Nullable SentActivation old) {

@@ -138,7 +138,7 @@ public final class Visit {
         }
         held = value;
         for (PlacedToken e = first; e != null; e = e.nextOfVisit) {
-            place.held[e.kind] += value ? 1 : -1;
+            place.hold(e.kind, value ? 1 : -1);
         }
     }
 }
