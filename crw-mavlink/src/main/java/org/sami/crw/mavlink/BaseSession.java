@@ -31,7 +31,7 @@ import org.sami.boat.link.WithdrawKeys;
  * The boat's end of the link to the base in this process: who commands, in which term, and which commands were answered. The same rules as a boat server's
  * (docs/link.md), for the one client that there can be. A command whose answer the vehicle still owes is not executed again when it is repeated.
  */
-final class BaseSession implements VehicleConnection.Ears {
+final class BaseSession implements VehicleConnection.Receiver {
     private static final int REMEMBERED = 4096;
 
     /** The vehicle for which the session speaks. */

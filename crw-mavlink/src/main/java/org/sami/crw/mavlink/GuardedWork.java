@@ -12,7 +12,7 @@ final class GuardedWork {
     static void run(Runnable work) {
         try {
             work.run();
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) { // repeated work would end without a word
             LOG.log(Level.ERROR, "a fault in what speaks for vehicles", e);
         }
     }

@@ -2,6 +2,7 @@ package org.sami.crw.mavlink;
 
 import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
+import java.time.Instant;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +21,9 @@ import org.sami.crw.proxy.gateway.BoatGateway;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.base.MavlinkBaseOptions;
+import org.sami.mavlink.link.LinkSigning;
+import org.sami.mavlink.link.SigningKey;
 import org.sami.spn.value.GeoArea;
 
 /**
@@ -34,6 +38,7 @@ public final class MavlinkGateway implements BoatGateway {
 
     private final LongSupplier nowMs;
     private final VehicleFiles files;
+    private final Optional<LinkSigning> signing;
     private final ScheduledExecutorService thread;
     private final Future<?> ticks;
     private final Map<String, VehicleLink> links = new HashMap<>(); // by address; this and the next for the thread
@@ -45,9 +50,11 @@ public final class MavlinkGateway implements BoatGateway {
      *
      * @param nowMs a clock of milliseconds that only goes on
      * @param files stores what the next base needs after a crash of this one
+     * @param fleetKey signs all that is sent, where this base has one; who has signed with it is not taken without a signature any longer
      */
-    public MavlinkGateway(LongSupplier nowMs, VehicleFiles files) {
+    public MavlinkGateway(LongSupplier nowMs, VehicleFiles files, Optional<SigningKey> fleetKey) {
         this.nowMs = Objects.requireNonNull(nowMs, "nowMs");
+        signing = fleetKey.map(key -> new LinkSigning(key, Instant::now, LinkSigning.Unsigned.TAKEN_UNTIL_SIGNED));
         this.files = Objects.requireNonNull(files, "files");
         ScheduledThreadPoolExecutor executor = new ScheduledThreadPoolExecutor(1, work -> {
             Thread made = new Thread(work, "mavlink boats");
@@ -87,7 +94,9 @@ public final class MavlinkGateway implements BoatGateway {
     }
 
     private VehicleLink open(String host) {
-        return new VehicleLink(AddressText.parse(host), executor(), nowMs, files, fence);
+        MavlinkBaseOptions options = new MavlinkBaseOptions(Optional.empty(), signing);
+        MavlinkBase base = new MavlinkBase(List.of(AddressText.parse(host)), nowMs, options);
+        return new VehicleLink(host, base, executor(), nowMs, files, fence);
     }
 
     /** Its thread; what is thrown there is logged, and after the end nothing runs. */

@@ -12,7 +12,7 @@ import org.sami.crw.proxy.gateway.GatewayLink;
 /** The base's way to one vehicle, in memory: frames go in, and come out numbered. For the gateway's thread, but for what the base calls. */
 final class VehicleConnection implements GatewayLink {
     /** Takes what the base says. */
-    interface Ears {
+    interface Receiver {
         void received(Frame frame);
 
         void closed();
@@ -21,7 +21,7 @@ final class VehicleConnection implements GatewayLink {
     private final InetSocketAddress address;
     private final Listener listener;
     private final Executor thread;
-    private Optional<Ears> ears = Optional.empty();
+    private Optional<Receiver> receiver = Optional.empty();
     private long sent;
     private boolean over;
 
@@ -41,8 +41,8 @@ final class VehicleConnection implements GatewayLink {
     }
 
     /** The vehicle is there: from now on it hears what the base says. */
-    void open(Ears to) {
-        ears = Optional.of(to);
+    void open(Receiver to) {
+        receiver = Optional.of(to);
         listener.opened();
     }
 
@@ -76,7 +76,7 @@ final class VehicleConnection implements GatewayLink {
     public void send(byte[] frame) {
         thread.execute(() -> {
             if (!over) {
-                ears.ifPresent(taking -> read(frame).ifPresent(taking::received));
+                receiver.ifPresent(to -> read(frame).ifPresent(to::received));
             }
         });
     }
@@ -94,7 +94,7 @@ final class VehicleConnection implements GatewayLink {
         thread.execute(() -> {
             if (!over) {
                 over = true;
-                ears.ifPresent(Ears::closed);
+                receiver.ifPresent(Receiver::closed);
             }
         });
     }

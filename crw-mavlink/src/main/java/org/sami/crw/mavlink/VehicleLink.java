@@ -12,7 +12,6 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.stream.Collectors;
-import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.vehicle.VehicleEvent;
@@ -24,7 +23,7 @@ final class VehicleLink {
     static final long HEARD_MS = 2_000; // a vehicle that was heard within it is there
     private static final long TRY_MS = 4_000;
 
-    private final MavlinkAddress address;
+    private final String address;
     private final Executor thread;
     private final LongSupplier nowMs;
     private final VehicleFiles files;
@@ -43,13 +42,25 @@ final class VehicleLink {
     /** A connection that asks for all vehicles, and those that were reported to it. */
     private record Several(VehicleConnection connection, Set<Integer> found, long untilMs) {}
 
-    VehicleLink(MavlinkAddress address, Executor thread, LongSupplier nowMs, VehicleFiles files, SessionFence fence) {
+    /**
+     * A link.
+     *
+     * @param address as users write it
+     * @param base listens at this address alone; closed with the link
+     */
+    VehicleLink(
+            String address,
+            MavlinkBase base,
+            Executor thread,
+            LongSupplier nowMs,
+            VehicleFiles files,
+            SessionFence fence) {
         this.address = address;
         this.thread = thread;
         this.nowMs = nowMs;
         this.files = files;
         this.fence = fence;
-        base = new MavlinkBase(List.of(address), nowMs);
+        this.base = base;
         base.addListener(events);
     }
 
@@ -146,8 +157,8 @@ final class VehicleLink {
         }
         for (VehicleSnapshot vehicle : vehicles) {
             if (isCommanded(vehicle) && all.found.add(vehicle.id().system())) {
-                all.connection.found(InetSocketAddress.createUnresolved(
-                        address.toString(), vehicle.id().system()));
+                all.connection.found(
+                        InetSocketAddress.createUnresolved(address, vehicle.id().system()));
             }
         }
         if (all.found.isEmpty() && atMs > all.untilMs) {
@@ -157,7 +168,8 @@ final class VehicleLink {
     }
 
     private String whyNot(String what, long atMs) {
-        Optional<String> fault = base.links().stream().findFirst().flatMap(MavlinkLinkReport::fault);
+        Optional<MavlinkLinkReport> link = base.links().stream().findFirst();
+        Optional<String> fault = link.flatMap(MavlinkLinkReport::fault);
         if (fault.isPresent()) {
             return fault.get();
         }
@@ -165,7 +177,12 @@ final class VehicleLink {
                 .filter(vehicle -> atMs - vehicle.heardMs() <= HEARD_MS)
                 .map(vehicle -> vehicle.kind().word() + " " + vehicle.id())
                 .collect(Collectors.joining(", "));
-        return "no " + what + " is heard there" + (others.isEmpty() ? "" : ", only " + others);
+        String refused = link.map(MavlinkLinkReport::refused).orElse(Map.of()).entrySet().stream()
+                .map(why -> "; refused " + why.getValue() + " messages "
+                        + why.getKey().words())
+                .sorted()
+                .collect(Collectors.joining());
+        return "no " + what + " is heard there" + (others.isEmpty() ? "" : ", only " + others) + refused;
     }
 
     /** Whether a vehicle is still carrying out an order. */

@@ -24,6 +24,7 @@ import org.sami.boat.server.testing.SlowableClock;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.mavlink.link.SigningKey;
 import org.sami.spn.value.GeoArea;
 
 /** Commands one vehicle through a gateway by messages of the boat link, each once. */
@@ -41,15 +42,20 @@ final class LinkClient implements AutoCloseable {
 
     /** Connects, says hello as commander, and waits until the vehicle says where it is. */
     LinkClient(Path folder, String address) {
+        this(folder, address, Optional.empty());
+    }
+
+    /** The same by a base that has the key of a fleet. */
+    LinkClient(Path folder, String address, Optional<SigningKey> fleetKey) {
         this.address = address;
-        gateway = new MavlinkGateway(clock, new VehicleFiles(folder));
+        gateway = new MavlinkGateway(clock, new VehicleFiles(folder), fleetKey);
         link = connect();
         greet();
         Await.until("it says where it is", () -> first(Telemetry.class).isPresent());
     }
 
     private GatewayLink connect() {
-        return gateway.connect(BoatAddress.parse(address).toSocketAddress(), new Ears());
+        return gateway.connect(BoatAddress.parse(address).toSocketAddress(), new Heard());
     }
 
     private Role greet() {
@@ -163,7 +169,7 @@ final class LinkClient implements AutoCloseable {
         gateway.close();
     }
 
-    private final class Ears implements GatewayLink.Listener {
+    private final class Heard implements GatewayLink.Listener {
         @Override
         public void opened() {
             open = true;

@@ -5,9 +5,11 @@ import io.dronefleet.mavlink.MavlinkMessage;
 import io.dronefleet.mavlink.common.RadioStatus;
 import java.time.Instant;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
 
 /**
@@ -21,9 +23,20 @@ public final class LinkSigning {
     private static final long A_MINUTE = 6_000_000; // of signatures' time
 
     private final SigningKey key;
-    private final boolean alsoUnsigned;
+    private final Unsigned unsigned;
     private final SigningClock clock;
     private final Map<Stream, Long> last = new HashMap<>();
+    private final Set<Integer> signed = new HashSet<>(); // systems that have signed with the key
+
+    /** What becomes of messages without a signature. */
+    public enum Unsigned {
+        /** All are taken: while vehicles are given the key. */
+        TAKEN,
+        /** They are taken of vehicles that have not signed with the key yet: beside vehicles with the key there may be some without. */
+        TAKEN_UNTIL_SIGNED,
+        /** None is taken. */
+        REFUSED
+    }
 
     /** Messages of one component on one link of it. */
     private record Stream(int link, int system, int component) {}
@@ -32,11 +45,11 @@ public final class LinkSigning {
      * Signing with a key.
      *
      * @param now the time of day
-     * @param alsoUnsigned whether messages without a signature are taken: while vehicles are given the key
+     * @param unsigned what becomes of messages without a signature
      */
-    public LinkSigning(SigningKey key, Supplier<Instant> now, boolean alsoUnsigned) {
+    public LinkSigning(SigningKey key, Supplier<Instant> now, Unsigned unsigned) {
         this.key = Objects.requireNonNull(key, "key");
-        this.alsoUnsigned = alsoUnsigned;
+        this.unsigned = Objects.requireNonNull(unsigned, "unsigned");
         clock = new SigningClock(now);
     }
 
@@ -53,7 +66,7 @@ public final class LinkSigning {
     /** Why a message is refused; empty where it is taken. A radio's own report, which radios cannot sign, is taken: nothing but strengths is read from it. */
     Optional<SignatureFault> fault(MavlinkMessage<?> message) {
         if (!(message instanceof Mavlink2Message<?> second) || !second.isSigned()) {
-            return alsoUnsigned || message.getPayload() instanceof RadioStatus
+            return message.getPayload() instanceof RadioStatus || takesUnsigned(message.getOriginSystemId())
                     ? Optional.empty()
                     : Optional.of(SignatureFault.UNSIGNED);
         }
@@ -65,6 +78,14 @@ public final class LinkSigning {
                 second.getSignatureTimestamp());
     }
 
+    private synchronized boolean takesUnsigned(int system) {
+        return switch (unsigned) {
+            case TAKEN -> true;
+            case TAKEN_UNTIL_SIGNED -> !signed.contains(system);
+            case REFUSED -> false;
+        };
+    }
+
     private synchronized Optional<SignatureFault> faultOfTime(Stream stream, long time) {
         Long before = last.get(stream);
         if (before == null && time + A_MINUTE < clock.present()) {
@@ -74,6 +95,7 @@ public final class LinkSigning {
             return Optional.of(time + A_MINUTE < before ? SignatureFault.OLD : SignatureFault.REPLAYED);
         }
         last.put(stream, time);
+        signed.add(stream.system);
         clock.heard(time);
         return Optional.empty();
     }

@@ -23,7 +23,7 @@ class LinkSigningTest {
     private static final Instant NOW = Instant.parse("2026-11-27T10:00:00Z");
 
     private Instant now = NOW;
-    private final LinkSigning base = new LinkSigning(OURS, () -> now, false);
+    private final LinkSigning base = new LinkSigning(OURS, () -> now, LinkSigning.Unsigned.REFUSED);
 
     private static SigningKey key(int fill) {
         byte[] secret = new byte[SigningKey.BYTES];
@@ -33,7 +33,7 @@ class LinkSigningTest {
 
     private static byte[] signed(SigningKey key, int link, Instant at) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        LinkSigning sender = new LinkSigning(key, () -> at, false);
+        LinkSigning sender = new LinkSigning(key, () -> at, LinkSigning.Unsigned.REFUSED);
         MavlinkConnection.create(new ByteArrayInputStream(new byte[0]), bytes)
                 .send2(1, 1, MissionCurrent.builder().seq(3).build(), link, sender.nextTime(), key.secret());
         return bytes.toByteArray();
@@ -92,11 +92,24 @@ class LinkSigningTest {
 
     @Test
     void whileKeysAreGivenUnsignedMessagesAreTaken() throws Exception {
-        LinkSigning giving = new LinkSigning(OURS, () -> now, true);
+        LinkSigning giving = new LinkSigning(OURS, () -> now, LinkSigning.Unsigned.TAKEN);
 
         assertThat(giving.fault(message(unsigned(MissionCurrent.builder().seq(3).build()))))
                 .isEmpty();
         assertThat(giving.fault(message(signed(THEIRS, 0, NOW)))).contains(SignatureFault.WRONG);
+    }
+
+    @Test
+    void vehicleThatHasSignedIsNotTakenWithoutASignatureAnyLonger() throws Exception {
+        LinkSigning fleet = new LinkSigning(OURS, () -> now, LinkSigning.Unsigned.TAKEN_UNTIL_SIGNED);
+        byte[] unsigned = unsigned(MissionCurrent.builder().seq(3).build());
+        assertThat(fleet.fault(message(unsigned))).isEmpty();
+        assertThat(fleet.fault(message(signed(THEIRS, 0, NOW)))).contains(SignatureFault.WRONG);
+        assertThat(fleet.fault(message(unsigned))).isEmpty();
+
+        assertThat(fleet.fault(message(signed(OURS, 0, NOW)))).isEmpty();
+
+        assertThat(fleet.fault(message(unsigned))).contains(SignatureFault.UNSIGNED);
     }
 
     @Test

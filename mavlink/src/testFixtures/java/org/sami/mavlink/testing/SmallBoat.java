@@ -40,6 +40,7 @@ import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import org.sami.mavlink.link.SigningKey;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.onboard.ListKeeper;
@@ -134,6 +135,11 @@ public final class SmallBoat implements AutoCloseable {
     /** Its address for a base. */
     public String address() {
         return link.address();
+    }
+
+    /** It has the key of a fleet from now on: it ignores what is not signed with it, and signs. */
+    public void giveKey(SigningKey fleet) {
+        link.keyed(fleet);
     }
 
     /** Whether its motors may turn. */

@@ -1,5 +1,6 @@
 package org.sami.mavlink.testing;
 
+import io.dronefleet.mavlink.Mavlink2Message;
 import io.dronefleet.mavlink.MavlinkConnection;
 import io.dronefleet.mavlink.MavlinkMessage;
 import java.io.IOException;
@@ -7,8 +8,12 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.time.Instant;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import org.sami.mavlink.link.LinkSigning;
+import org.sami.mavlink.link.SigningKey;
 
 /** The port of a small vehicle, on TCP on loopback, with one client at a time. Safe for use by several threads. */
 final class SmallVehicleLink implements AutoCloseable {
@@ -18,6 +23,7 @@ final class SmallVehicleLink implements AutoCloseable {
     private final BooleanSupplier isCut;
     private final Consumer<Object> taking;
     private final ServerSocket server;
+    private Optional<LinkSigning> signing = Optional.empty();
     private Socket client = new Socket();
     private MavlinkConnection codec;
 
@@ -47,6 +53,19 @@ final class SmallVehicleLink implements AutoCloseable {
         return "mavlink:tcp:127.0.0.1:" + server.getLocalPort();
     }
 
+    /** Ignores what is not signed with a key, and signs with it, as ArduPilot does on all ports but the first. */
+    synchronized void keyed(SigningKey fleet) {
+        signing = Optional.of(new LinkSigning(fleet, Instant::now, LinkSigning.Unsigned.REFUSED));
+    }
+
+    private synchronized boolean takes(MavlinkMessage<?> message) {
+        if (signing.isEmpty()) {
+            return true;
+        }
+        byte[] secret = signing.get().key().secret();
+        return message instanceof Mavlink2Message<?> second && second.isSigned() && second.validateSignature(secret);
+    }
+
     private void serve() {
         while (!server.isClosed()) {
             try (Socket socket = server.accept()) {
@@ -60,7 +79,9 @@ final class SmallVehicleLink implements AutoCloseable {
                     codec = open;
                 }
                 for (MavlinkMessage<?> message = open.next(); message != null; message = open.next()) {
-                    taking.accept(message.getPayload());
+                    if (takes(message)) {
+                        taking.accept(message.getPayload());
+                    }
                 }
             } catch (IOException e) {
                 // this client is gone; the next may come
@@ -72,7 +93,18 @@ final class SmallVehicleLink implements AutoCloseable {
     synchronized void send(Object payload) {
         if (codec != null) {
             try {
-                codec.send2(system, AUTOPILOT, payload);
+                if (signing.isPresent()) {
+                    LinkSigning by = signing.get();
+                    codec.send2(
+                            system,
+                            AUTOPILOT,
+                            payload,
+                            0,
+                            by.nextTime(),
+                            by.key().secret());
+                } else {
+                    codec.send2(system, AUTOPILOT, payload);
+                }
             } catch (IOException e) {
                 // its reading thread finds out
             }

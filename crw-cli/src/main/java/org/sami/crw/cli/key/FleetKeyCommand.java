@@ -32,7 +32,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "The key with which the vehicles of other makers in this base's fleet sign (MAVLink 2 signing): made"
-                        + " where there is none, and shown by its fingerprint. crw keys export and import take it along.")
+                    + " where there is none, and shown by its fingerprint. crw keys export and import take it along.")
 final class FleetKeyCommand implements Callable<Integer> {
     private static final int LISTEN_S = 5;
 
@@ -62,7 +62,7 @@ final class FleetKeyCommand implements Callable<Integer> {
     }
 
     private int give(List<MavlinkAddress> addresses, SigningKey key, PrintWriter out) throws InterruptedException {
-        LinkSigning signing = new LinkSigning(key, Instant::now, true);
+        LinkSigning signing = new LinkSigning(key, Instant::now, LinkSigning.Unsigned.TAKEN);
         try (MavlinkBase base = new MavlinkBase(
                 addresses,
                 SteadyClock.ofThisMachine(),

@@ -43,7 +43,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Lists the vehicles of other makers (ArduPilot boats, copters) that speak MAVLink at these addresses:"
-                        + " mode, position, battery, GPS, and how well each link hears them. Moves and changes nothing.",
+                    + " mode, position, battery, GPS, and how well each link hears them. Moves and changes nothing.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:every link brought a vehicle",
@@ -158,7 +158,7 @@ public final class VehiclesCommand implements Callable<Integer> {
         byte[] secret = new BaseKeys(folder)
                 .fleetKey()
                 .orElseThrow(() -> new UsageFault(folder + " has no key of a fleet: crw keys fleet makes one"));
-        return Optional.of(new LinkSigning(new SigningKey(secret), Instant::now, false));
+        return Optional.of(new LinkSigning(new SigningKey(secret), Instant::now, LinkSigning.Unsigned.REFUSED));
     }
 
     private boolean keepParameters(MavlinkBase base, List<VehicleSnapshot> vehicles, Path folder, PrintWriter out) {

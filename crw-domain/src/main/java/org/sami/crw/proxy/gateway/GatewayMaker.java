@@ -6,6 +6,10 @@ public interface GatewayMaker {
     /** The prefix of this protocol's addresses, such as {@code mavlink:}. */
     String prefix();
 
-    /** A gateway for one base. */
+    /**
+     * A gateway for one base.
+     *
+     * @throws IllegalStateException if it cannot begin, for a reason in words that a user can act on
+     */
     BoatGateway begin();
 }

@@ -23,7 +23,7 @@ final class GatewayConnection implements BoatConnection {
 
     @Override
     public void start() {
-        link = Optional.of(gateway.connect(address, new Ears()));
+        link = Optional.of(gateway.connect(address, new ToOwner()));
         if (closed.get()) { // meanwhile
             link.get().close();
         }
@@ -61,7 +61,7 @@ final class GatewayConnection implements BoatConnection {
         // a gateway needs no limit: it sends no more than a vehicle reports
     }
 
-    private final class Ears implements GatewayLink.Listener {
+    private final class ToOwner implements GatewayLink.Listener {
         @Override
         public void opened() {
             owner.opened(GatewayConnection.this);

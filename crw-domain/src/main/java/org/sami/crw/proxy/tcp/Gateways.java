@@ -29,10 +29,19 @@ final class Gateways {
         }
         for (GatewayMaker maker : makers.get()) {
             if (address.getHostString().startsWith(maker.prefix())) {
-                return Optional.of(begun.computeIfAbsent(maker, this::begin));
+                return Optional.of(gateway(maker));
             }
         }
         return Optional.empty();
+    }
+
+    /** One that could not begin is tried again for the next link. */
+    private BoatGateway gateway(GatewayMaker maker) {
+        try {
+            return begun.computeIfAbsent(maker, this::begin);
+        } catch (IllegalStateException e) {
+            return new UnusableGateway(String.valueOf(e.getMessage()));
+        }
     }
 
     private BoatGateway begin(GatewayMaker maker) {

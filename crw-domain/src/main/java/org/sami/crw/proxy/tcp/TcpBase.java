@@ -186,14 +186,14 @@ public final class TcpBase implements AutoCloseable {
     }
 
     private BoatConnection connection(BoatLink link) {
-        BoatConnection.Owner ears = earsOf(link);
+        BoatConnection.Owner owner = ownerOf(link);
         return gateways.to(link.address())
-                .<BoatConnection>map(gateway -> new GatewayConnection(gateway, link.address(), ears))
-                .orElseGet(() -> new TcpConnection(link.address(), config, ears));
+                .<BoatConnection>map(gateway -> new GatewayConnection(gateway, link.address(), owner))
+                .orElseGet(() -> new TcpConnection(link.address(), config, owner));
     }
 
     /** Brings what connections tell to the base's thread. */
-    private BoatConnection.Owner earsOf(BoatLink link) {
+    private BoatConnection.Owner ownerOf(BoatLink link) {
         return new BoatConnection.Owner() {
             @Override
             public void opened(BoatConnection connection) {
