@@ -14,6 +14,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.SteadyClock;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.BoatProxy;
@@ -37,6 +38,7 @@ public final class TcpBase implements AutoCloseable {
     private final BaseListener listener;
     private final ScheduledExecutorService thread;
     private final Future<?> ticks;
+    private volatile @Nullable Thread own; // that of the executor
     private final TcpBaseConfig config;
     private final Gateways gateways = new Gateways(); // this and the next: for the base's thread
     private final LinkTable links;
@@ -51,6 +53,7 @@ public final class TcpBase implements AutoCloseable {
         thread = Executors.newSingleThreadScheduledExecutor(work -> {
             Thread made = new Thread(work, config.proxy().clientId() + "-links");
             made.setDaemon(true);
+            own = made;
             return made;
         });
         ticks = thread.scheduleWithFixedDelay(this::tick, config.tickMs(), config.tickMs(), TimeUnit.MILLISECONDS);
@@ -65,13 +68,22 @@ public final class TcpBase implements AutoCloseable {
         });
     }
 
-    /** Makes a proxy for a boat whose address is still unknown; its commands wait until the boat answers. */
+    /**
+     * Makes a proxy for a boat whose address is still unknown; its commands wait until the boat answers. At once where it is called on the base's
+     * thread: what comes on it next may be a command for the boat.
+     */
     public void expect(String boatId) {
-        run("expecting " + boatId, () -> {
+        String what = "expecting " + boatId;
+        Runnable work = () -> {
             if (!stopped) {
                 links.expect(boatId);
             }
-        });
+        };
+        if (Thread.currentThread() == own) {
+            guarded(what, work);
+        } else {
+            run(what, work);
+        }
     }
 
     /**
