@@ -58,21 +58,19 @@ public final class PlanNet {
      * @throws IllegalArgumentException if there is no such plan, or it has no start place
      */
     public static PlanNet of(PlanNetRequest request) throws PlanNetTooLargeException {
-        return new PlanTranslation(request, false).translate();
+        return new PlanTranslation(request, false).translate().orElseThrow();
     }
 
     /**
      * The net of a plan in which robots are counted and not named: far smaller with many robots, and with the same graph up to an exchange of robots.
      *
-     * @return empty where there are fewer than two robots, or there can be several copies of one
+     * @return empty where there are fewer than two robots, several copies of one can be in one place, or copies can be in many sets of places
      * @throws PlanNetTooLargeException if it would have more transitions than asked for
      * @throws IllegalArgumentException if there is no such plan, or it has no start place
      */
     public static Optional<PlanNet> counted(PlanNetRequest request) throws PlanNetTooLargeException {
         PlanTranslation translation = new PlanTranslation(request, true);
-        return request.robots().size() < 2 || translation.copiesRobots()
-                ? Optional.empty()
-                : Optional.of(translation.translate());
+        return request.robots().size() < 2 || translation.losesCount() ? Optional.empty() : translation.translate();
     }
 
     /**

@@ -32,6 +32,8 @@ final class PossibleTokens {
     private final Map<String, Set<PlanToken>> at = new HashMap<>();
     private final Set<String> byNobody = new HashSet<>();
     private final Set<PlanToken> copied = new HashSet<>();
+    /** Of copied tokens that never stand in one place twice: groups of places of which one at most has the token. */
+    private final Map<PlanToken, List<Set<String>>> single = new HashMap<>();
 
     PossibleTokens(Project project, Vocabulary vocabulary, Plan plan, Collection<PlanToken> all) {
         this.project = project;
@@ -58,6 +60,11 @@ final class PossibleTokens {
                 copied.add(token);
             }
         }
+        SinglePlaces singles =
+                new SinglePlaces(plan, this, all.stream().anyMatch(token -> token.type() == TokenType.TASK));
+        copied.stream()
+                .filter(token -> token.type() != TokenType.GENERIC && !token.isMade())
+                .forEach(token -> singles.groups(token).ifPresent(groups -> single.put(token, groups)));
     }
 
     private boolean isEnd(String place) {
@@ -206,6 +213,17 @@ final class PossibleTokens {
     /** Whether there can be several of a token in the mission. */
     boolean isCopied(PlanToken token) {
         return copied.contains(token);
+    }
+
+    /** Whether several of a token may stand in one place. */
+    boolean isLoose(PlanToken token) {
+        return isCopied(token) && !single.containsKey(token);
+    }
+
+    /** Whether a token may stand in all of these places at once. */
+    boolean canStand(PlanToken token, Collection<String> places) {
+        return single.getOrDefault(token, List.of()).stream()
+                .allMatch(group -> places.stream().filter(group::contains).count() <= 1);
     }
 
     /** The in places of a transition in which a token can stand when it fires, each once, in the order of its edges. */

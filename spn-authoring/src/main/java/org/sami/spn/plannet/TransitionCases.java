@@ -93,18 +93,37 @@ final class TransitionCases {
         return all;
     }
 
-    /** Adds the cases to the net. */
-    void add() throws PlanNetTooLargeException {
+    /** What can be with one token of a kind; nothing where the transition can never fire. */
+    List<TokenOption> options(PlanToken token) {
+        if (conditions.isEmpty()) {
+            return List.of();
+        }
         boolean speaks = requirements().stream().anyMatch(r -> r.kind() == TokenKind.RELEVANT)
                 || selections.all().stream().anyMatch(s -> s.isOf(TokenKind.RELEVANT));
+        return new TokenOptions(work.places(), work.possible(), t, selections, speaks, watched, ends())
+                .of(token).stream()
+                        .filter(option -> !option.isNamed || SinglePlaces.mayBeNamed(ins, hasTasks, option.present))
+                        .toList();
+    }
+
+    /**
+     * Adds the cases to the net.
+     *
+     * @param profiles where robots are counted by the places in which they are
+     */
+    void add(Optional<RobotProfiles> profiles) throws PlanNetTooLargeException {
         if (conditions.isEmpty()) {
             return; // it can never fire
         }
-        TokenOptions options = new TokenOptions(work.places(), work.possible(), t, selections, speaks, watched, ends());
         List<List<TokenOption>> perToken = new ArrayList<>();
         for (PlanToken token : work.team()) {
             if (token.type() != TokenType.GENERIC) {
-                perToken.addAll(Collections.nCopies(work.count(token), options.of(token)));
+                List<TokenOption> options = options(token);
+                perToken.addAll(Collections.nCopies(
+                        work.count(token),
+                        profiles.isPresent() && token.equals(PlanToken.ROBOTS)
+                                ? profiles.get().expanded(t, options)
+                                : options));
             }
         }
         List<GenericOption> generics =
@@ -173,7 +192,9 @@ final class TransitionCases {
     /** @param robots those of the chosen options that are of robots that are counted, with what they ask for together */
     private void join(List<TokenOption> chosen, List<TokenOption> robots, CaseArcs ofRobots, GenericOption generic)
             throws PlanNetTooLargeException {
-        boolean isLoose = chosen.stream().anyMatch(o -> work.possible().isCopied(o.token));
+        boolean isLoose = chosen.stream()
+                .anyMatch(o -> work.possible().isLoose(o.token)
+                        || (work.possible().isCopied(o.token) && o.present.size() > 1));
         if (!TokenOptions.fits(selections.numbers(), chosen, generic.picked, generic.more, isLoose)) {
             return;
         }
