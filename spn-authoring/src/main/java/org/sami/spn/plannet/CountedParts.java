@@ -23,12 +23,4 @@ record CountedParts(List<List<TokenOption>> options, PossibleTokens possible, Pl
                 .map(Set::of)
                 .orElse(Set.of());
     }
-
-    /** The in places of a transition in which no robot stands that is said to be in none of them. */
-    List<String> watchedBy(String transition) {
-        return plan.transition(transition).stream()
-                .flatMap(t -> possible.spots(t, PlanToken.ROBOTS).stream())
-                .filter(place -> !possible.hasSub(place))
-                .toList();
-    }
 }

@@ -41,17 +41,17 @@ final class NamedRobots {
 
     private PlanNetFiring fired(int transition) {
         PlanNetFiring firing = net.firing(transition);
-        List<String> watched = counted.watchedBy(firing.transition());
         List<String> named = new ArrayList<>();
         List<PlanNetMove> moves = new ArrayList<>();
         Set<String> used = new HashSet<>();
         List<TokenOption> options = counted.options().get(transition).stream()
                 .filter(option -> !option.isAnywhere)
-                .sorted(Comparator.comparing(TokenOption::isAbsent))
+                .sorted(Comparator.comparing((TokenOption option) -> option.standing.isEmpty())
+                        .thenComparing(TokenOption::isAbsent)) // who is nowhere else is absent
                 .toList();
         Map<String, Set<String>> to = new LinkedHashMap<>(at);
         for (TokenOption option : options) {
-            String robot = free(used, standing -> fits(option, standing, watched));
+            String robot = free(used, standing -> fits(option, standing));
             used.add(robot);
             if (option.isNamed) {
                 named.add(robot);
@@ -72,12 +72,8 @@ final class NamedRobots {
         return new PlanNetFiring(firing.transition(), named, all, firing.ends());
     }
 
-    private static boolean fits(TokenOption option, Set<String> standing, List<String> watched) {
-        return option.standing
-                .map(standing::equals)
-                .orElseGet(() -> option.isAbsent()
-                        ? watched.stream().noneMatch(standing::contains)
-                        : standing.containsAll(option.present));
+    private static boolean fits(TokenOption option, Set<String> standing) {
+        return option.standing.map(standing::equals).orElseGet(() -> standing.containsAll(option.present));
     }
 
     private String free(Set<String> used, Predicate<Set<String>> where) {

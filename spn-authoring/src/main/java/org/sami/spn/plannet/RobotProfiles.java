@@ -87,9 +87,8 @@ final class RobotProfiles {
         int watched = watched(t).size();
         List<TokenOption> expanded = new ArrayList<>();
         for (TokenOption option : options) {
-            boolean isStill = option.left.isEmpty() && option.edges.isEmpty();
-            boolean isCountedAtPlaces = watched <= 1 || (option.present.isEmpty() && !option.isNamed);
-            if (option.isAnywhere || (isStill && isCountedAtPlaces)) {
+            boolean isCountedAtPlaces = watched <= 1 || option.present.isEmpty();
+            if (option.isAnywhere || (option.isStill() && isCountedAtPlaces)) {
                 expanded.add(option);
             } else {
                 places.keySet().stream()

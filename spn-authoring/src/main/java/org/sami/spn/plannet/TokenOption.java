@@ -61,6 +61,11 @@ final class TokenOption {
         return !isAnywhere && present.isEmpty();
     }
 
+    /** Whether nothing is done with it. */
+    boolean isStill() {
+        return left.isEmpty() && edges.isEmpty();
+    }
+
     /** The same suppositions; effects are to be filled in. */
     TokenOption again() {
         TokenOption again = new TokenOption(token, isNamed, present, isKnown);

@@ -282,7 +282,7 @@ final class TokenOptions {
         }
         boolean isOnce = !possible.isLoose(option.token);
         boolean isMade = isReturned && option.present.stream().noneMatch(possible::hasSub);
-        if (!possible.isCopied(option.token) || (isOnce && option.present.size() == 1 && !isMade)) {
+        if (!possible.isCopied(option.token)) {
             return List.of(option.present);
         }
         List<List<String>> leavings = new ArrayList<>(List.of(List.of()));
@@ -329,7 +329,7 @@ final class TokenOptions {
             }
         }
         return switch (r.match()) {
-            case ALL -> hasTasks ? named == 0 || here > 0 : here == named;
+            case ALL -> !hasTasks || named == 0 || here > 0; // without tasks each of them was asked for alone
             case ZERO -> here == 0;
             case LESS_THAN -> here < r.n();
             case EXACTLY -> here <= r.n() && (here == r.n() || here > 0);

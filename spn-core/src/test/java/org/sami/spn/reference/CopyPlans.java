@@ -18,7 +18,8 @@ final class CopyPlans {
     static Project project(long seed) {
         CopyPlans plans = new CopyPlans(seed);
         plans.draw();
-        return NetBuilder.project(plans.net.build());
+        return NetBuilder.project(
+                plans.net.build(), new NetBuilder("child").start("c").build());
     }
 
     private void draw() {
@@ -27,6 +28,10 @@ final class CopyPlans {
             net.end("p4");
         } else {
             net.places("p4");
+        }
+        boolean hasChild = dice.chance(40);
+        if (hasChild) {
+            net.sub("p3", "child");
         }
         net.transition("t0", NewsPlans.EVENTS.get(0));
         net.in("p0", "t0", dice.pick("relevant all", "relevant all", "relevant all", "relevant >= 1", "proxy >= 1"));
@@ -37,12 +42,29 @@ final class CopyPlans {
             String t = "t" + i;
             net.transition(t, NewsPlans.EVENTS.get(i));
             int from = dice.below(LAST_SOURCE);
+            if (hasChild && dice.chance(40)) {
+                net.in("p3", t, "proxy >= 1");
+                net.out(t, dice.pick(PLACES), dice.pick("take all sub", "take all sub", "consume all sub"));
+                continue;
+            }
+            if (dice.chance(10)) {
+                net.in(PLACES[from], t, "relevant >= 1").in(PLACES[(from + 1) % LAST_SOURCE], t, "relevant = 0");
+                net.out(t, "p4", "always");
+                continue;
+            }
+            if (dice.chance(35)) {
+                joins(t, from);
+                continue;
+            }
             net.in(
                     PLACES[from],
                     t,
                     dice.pick("relevant all", "relevant all", "relevant >= 1", "proxy >= 1", "proxy >= 2"));
             if (dice.chance(50)) {
-                net.in(PLACES[(from + 1) % LAST_SOURCE], t, dice.pick("always", "always", "proxy = 0", "relevant all"));
+                net.in(
+                        PLACES[(from + 1) % LAST_SOURCE],
+                        t,
+                        dice.pick("always", "always", "proxy = 0", "relevant = 0", "relevant all"));
             }
             int to = dice.below(PLACES.length);
             net.out(t, PLACES[to], moving());
@@ -55,6 +77,17 @@ final class CopyPlans {
         }
     }
 
+    /** Takes one robot on, and with it the copies of it that stand in another place. */
+    private void joins(String t, int from) {
+        net.in(PLACES[from], t, dice.pick("relevant all", "relevant all", "relevant >= 1", "proxy >= 1"));
+        net.in(PLACES[(from + 1 + dice.below(2)) % LAST_SOURCE], t, dice.pick("always", "always", "relevant >= 1"));
+        String whom = dice.pick("relevant", "relevant", "proxy");
+        net.out(t, PLACES[2 + dice.below(2)], "take 1 " + whom);
+        if (dice.chance(75)) {
+            net.out(t, "p4", dice.pick("consume all ", "consume all ", "consume 1 ") + whom);
+        }
+    }
+
     private String moving() {
         return dice.pick(
                 "take all relevant",
@@ -62,6 +95,9 @@ final class CopyPlans {
                 "take 1 relevant",
                 "take all proxy",
                 "take 1 proxy",
+                "take 2 relevant",
+                "always",
+                "take all sub",
                 "take all any");
     }
 }
