@@ -16,28 +16,27 @@ import org.sami.spn.vocabulary.EventRole;
 /** Makes the net of a plan. For one use. */
 final class PlanTranslation {
     private final PlanNetRequest request;
-    private final boolean isCounted;
+    private final RobotView view;
     private final Plan plan;
     private final PlanNetWork work;
     private final AbstractionList abstractions = new AbstractionList();
 
-    /** @param isCounted whether robots are counted and not named */
-    PlanTranslation(PlanNetRequest request, boolean isCounted) {
+    PlanTranslation(PlanNetRequest request, RobotView view) {
         this.request = request;
-        this.isCounted = isCounted;
+        this.view = view;
         plan = request.project()
                 .plan(request.plan())
                 .orElseThrow(() -> new IllegalArgumentException("there is no plan \"" + request.plan() + "\""));
         if (plan.startPlace().isEmpty()) {
             throw new IllegalArgumentException("the plan \"" + plan.title() + "\" has no start place");
         }
-        work = new PlanNetWork(request, plan, team());
+        work = new PlanNetWork(request, plan, team(), view);
     }
 
     private List<PlanToken> team() {
         List<PlanToken> team = new ArrayList<>();
         team.add(PlanToken.GENERIC);
-        if (isCounted) {
+        if (view != RobotView.NAMED) {
             team.add(PlanToken.ROBOTS);
         } else {
             request.robots().forEach(robot -> team.add(PlanToken.robot(robot)));
@@ -94,14 +93,18 @@ final class PlanTranslation {
         Map<Transition, TransitionCases> cases = new LinkedHashMap<>();
         of.forEach((t, alternatives) -> cases.put(t, new TransitionCases(work, t, alternatives)));
         Optional<RobotProfiles> profiles = Optional.empty();
-        if (isCounted && robots().anyMatch(work.possible()::isCopied)) {
+        if (view == RobotView.COUNTED && robots().anyMatch(work.possible()::isCopied)) {
             profiles = profiles(cases);
             if (profiles.isEmpty()) {
                 return Optional.empty();
             }
         }
         for (TransitionCases each : cases.values()) {
-            each.add(profiles);
+            if (view == RobotView.PRESENT) {
+                each.addByPresence();
+            } else {
+                each.add(profiles);
+            }
         }
         new AbstractionsOfPlan(work, abstractions).list();
         return Optional.of(new PlanNet(
@@ -111,7 +114,10 @@ final class PlanTranslation {
                 work.firings(),
                 abstractions.all(),
                 work.beyond(),
-                isCounted ? Optional.of(new CountedParts(work.counted(), work.possible(), plan)) : Optional.empty()));
+                view == RobotView.COUNTED
+                        ? Optional.of(new CountedParts(work.counted(), work.possible(), plan))
+                        : Optional.empty(),
+                view == RobotView.PRESENT ? Optional.of(work.sure()) : Optional.empty()));
     }
 
     private Optional<RobotProfiles> profiles(Map<Transition, TransitionCases> cases) {

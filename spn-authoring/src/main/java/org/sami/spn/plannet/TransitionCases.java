@@ -3,10 +3,13 @@ package org.sami.spn.plannet;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
@@ -37,15 +40,16 @@ final class TransitionCases {
     private final Set<String> watched;
     private final boolean mustHaveRelevant;
     private final boolean hasTasks;
-    private final CountedRobots countedRobots;
     private final Set<Object> known = new HashSet<>();
+    private Function<List<TokenOption>, Optional<CaseArcs>> ofRobots;
+    private Optional<Map<Object, PresenceCases.Found>> found = Optional.empty();
     private int made;
 
     TransitionCases(PlanNetWork work, Transition t, List<CaseArcs> conditions) {
         this.work = work;
         this.t = t;
         this.conditions = conditions;
-        countedRobots = new CountedRobots(work.places(), work.possible(), t);
+        ofRobots = new CountedRobots(work.places(), work.possible(), t)::arcs;
         ins = work.plan().inEdgesOf(t.id());
         selections = new Selections(t, work.plan().outEdgesOf(t.id()));
         watched = t.waitFor() == WaitFor.ALL && !t.inputs().isEmpty() ? watchedPlaces() : Set.of();
@@ -100,7 +104,14 @@ final class TransitionCases {
         }
         boolean speaks = requirements().stream().anyMatch(r -> r.kind() == TokenKind.RELEVANT)
                 || selections.all().stream().anyMatch(s -> s.isOf(TokenKind.RELEVANT));
-        return new TokenOptions(work.places(), work.possible(), t, selections, speaks, watched, ends())
+        return new TokenOptions(
+                        work.places(),
+                        work.possible(),
+                        t,
+                        selections,
+                        speaks,
+                        watched,
+                        ends() && work.view() != RobotView.PRESENT)
                 .of(token).stream()
                         .filter(option -> !option.isNamed || SinglePlaces.mayBeNamed(ins, hasTasks, option.present))
                         .toList();
@@ -126,9 +137,33 @@ final class TransitionCases {
                                 : options));
             }
         }
-        List<GenericOption> generics =
-                new GenericOptions(work.places(), work.possible(), t, selections, work.robots(), work.beyond()).all();
-        choose(perToken, 0, 0, new ArrayList<>(), generics);
+        choose(perToken, 0, 0, new ArrayList<>(), generics());
+    }
+
+    private List<GenericOption> generics() {
+        return new GenericOptions(work.places(), work.possible(), t, selections, work.robots(), work.beyond()).all();
+    }
+
+    /** Adds the cases to a net that follows only whether any robot is in a place. */
+    void addByPresence() throws PlanNetTooLargeException {
+        if (conditions.isEmpty()) {
+            return; // it can never fire
+        }
+        PresenceCases presence = new PresenceCases(work, t);
+        List<List<TokenOption>> others = work.team().stream()
+                .filter(token -> token.type() == TokenType.TASK)
+                .map(this::options)
+                .toList();
+        List<GenericOption> generics = generics();
+        presence.add(title(), options(PlanToken.ROBOTS), (robots, standings) -> {
+            Map<Object, PresenceCases.Found> cases = new LinkedHashMap<>();
+            found = Optional.of(cases);
+            ofRobots = chosen -> presence.arcs(chosen, standings);
+            List<List<TokenOption>> perToken = new ArrayList<>(others);
+            perToken.addAll(robots);
+            choose(perToken, 0, 0, new ArrayList<>(), generics);
+            return cases;
+        });
     }
 
     /** Robots that are counted are all alike: their options are taken in one order only, from a number on. */
@@ -144,10 +179,10 @@ final class TransitionCases {
                 List<TokenOption> robots = chosen.stream()
                         .filter(o -> o.token.equals(PlanToken.ROBOTS))
                         .toList();
-                Optional<CaseArcs> ofRobots = countedRobots.arcs(robots);
-                if (ofRobots.isPresent()) { // else another case does the same and supposes less
+                Optional<CaseArcs> together = ofRobots.apply(robots);
+                if (together.isPresent()) { // else another case does the same and supposes less
                     for (GenericOption generic : generics) {
-                        join(chosen, robots, ofRobots.get(), generic);
+                        join(chosen, robots, together.get(), generic);
                     }
                 }
             }
@@ -327,7 +362,14 @@ final class TransitionCases {
     }
 
     private void put(CaseArcs arcs, PlanNetFiring firing, List<TokenOption> robots) throws PlanNetTooLargeException {
-        if (arcs.isImpossible() || !known.add(arcs.key())) {
+        if (arcs.isImpossible()) {
+            return;
+        }
+        if (found.isPresent()) {
+            found.get().putIfAbsent(arcs.key(), new PresenceCases.Found(arcs, firing));
+            return;
+        }
+        if (!known.add(arcs.key())) {
             return;
         }
         work.putFiring(title(), firing, robots, arcs, ++made);
