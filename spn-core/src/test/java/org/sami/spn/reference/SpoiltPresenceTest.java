@@ -36,7 +36,6 @@ class SpoiltPresenceTest {
                         "a robot is where it is not",
                         "share(within, i, chosen, shares);",
                         "share(within, i + 1, chosen, shares);"),
-                cases("places without a robot count as taken", "return !together.equals(present);", "return false;"),
                 cases(
                         "who stands elsewhere as well is not looked at",
                         "standing.contains(spot) == option.present.contains(spot)",
@@ -49,11 +48,6 @@ class SpoiltPresenceTest {
                         "only the first robot moves",
                         "after.addAll(robots.get(i).after(standings.get(i)))",
                         "after.addAll(i == 0 ? robots.get(i).after(standings.get(i)) : standings.get(i))"),
-                plan(
-                        "the end is as for one robot",
-                        "TransitionCases",
-                        "ends() && work.view() != RobotView.PRESENT",
-                        "ends()"),
                 plan(
                         "each robot counts at the start",
                         "PlanNetWork",
