@@ -25,7 +25,7 @@ import org.sami.spn.vocabulary.Vocabulary;
  * Which tokens can come to which place, whoever may be named, and which of them can never be copied. A bound from above that follows requirements and no
  * numbers. Immutable.
  */
-final class PossibleTokens {
+final class PossibleTokens implements TokenWays {
     private final Project project;
     private final Plan plan;
     private final Vocabulary vocabulary;
@@ -97,8 +97,8 @@ final class PossibleTokens {
         return makes(r, t, token) || (covers(r, t, token) && isInPool(t, token));
     }
 
-    /** Whether a requirement can add a token that stands in no in place. */
-    boolean makes(OutRequirement r, Transition t, PlanToken token) {
+    @Override
+    public boolean makes(OutRequirement r, Transition t, PlanToken token) {
         boolean isGeneric = token.type() == TokenType.GENERIC;
         if (r.kind() == TokenKind.SUB_MISSION_TOKENS && r.action() != Action.CONSUME) {
             return madeByChildren(t).contains(token.type());
@@ -121,8 +121,8 @@ final class PossibleTokens {
                                 .isPresent());
     }
 
-    /** Whether a requirement can select a token of the pool. */
-    boolean covers(OutRequirement r, Transition t, PlanToken token) {
+    @Override
+    public boolean covers(OutRequirement r, Transition t, PlanToken token) {
         return switch (r.kind()) {
             case RELEVANT -> token.type() != TokenType.GENERIC && !t.inputs().isEmpty() && !makesTasks(t);
             case TASK -> token.isTask(r.task());
@@ -196,12 +196,13 @@ final class PossibleTokens {
                 .forEach(r -> made.addAll(TokenType.of(r.kind())));
     }
 
-    boolean hasSub(String place) {
+    @Override
+    public boolean hasSub(String place) {
         return plan.place(place).filter(p -> !p.subMissions().isEmpty()).isPresent();
     }
 
-    /** Whether a token can stand in a place. */
-    boolean comes(String place, PlanToken token) {
+    @Override
+    public boolean comes(String place, PlanToken token) {
         return at.getOrDefault(place, Set.of()).contains(token);
     }
 
@@ -226,8 +227,8 @@ final class PossibleTokens {
                 .allMatch(group -> places.stream().filter(group::contains).count() <= 1);
     }
 
-    /** The in places of a transition in which a token can stand when it fires, each once, in the order of its edges. */
-    List<String> spots(Transition t, PlanToken token) {
+    @Override
+    public List<String> spots(Transition t, PlanToken token) {
         return plan.inEdgesOf(t.id()).stream()
                 .map(edge -> edge.place())
                 .distinct()

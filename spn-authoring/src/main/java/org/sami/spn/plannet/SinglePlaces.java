@@ -29,12 +29,12 @@ final class SinglePlaces {
     private static final int MANY = 1_000;
 
     private final Plan plan;
-    private final PossibleTokens possible;
+    private final TokenWays possible;
     private final boolean hasTasks;
     private final Map<Transition, Selections> selections = new LinkedHashMap<>();
 
     /** @param hasTasks whether the team has tasks: then a robot may be named that stands in no in place */
-    SinglePlaces(Plan plan, PossibleTokens possible, boolean hasTasks) {
+    SinglePlaces(Plan plan, TokenWays possible, boolean hasTasks) {
         this.plan = plan;
         this.possible = possible;
         this.hasTasks = hasTasks;

@@ -23,7 +23,6 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
-import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
 
@@ -41,6 +40,7 @@ final class TransitionCases {
     private final boolean mustHaveRelevant;
     private final boolean hasTasks;
     private final Set<Object> known = new HashSet<>();
+    private final WakenedCases wakened;
     private Function<List<TokenOption>, Optional<CaseArcs>> ofRobots;
     private Optional<Map<Object, PresenceCases.Found>> found = Optional.empty();
     private int made;
@@ -51,6 +51,7 @@ final class TransitionCases {
         this.conditions = conditions;
         ofRobots = new CountedRobots(work.places(), work.possible(), t)::arcs;
         ins = work.plan().inEdgesOf(t.id());
+        wakened = new WakenedCases(work, t);
         selections = new Selections(t, work.plan().outEdgesOf(t.id()));
         watched = t.waitFor() == WaitFor.ALL && !t.inputs().isEmpty() ? watchedPlaces() : Set.of();
         mustHaveRelevant = isToldNames()
@@ -263,66 +264,12 @@ final class TransitionCases {
             }
         }
         for (CaseArcs ready : InConditions.both(List.of(arcs), conditions)) {
-            for (CaseArcs awake : wakened(ready)) {
+            for (CaseArcs awake : wakened.of(ready)) {
                 CaseArcs whole = awake.copy();
                 around(whole, entered, left, ends);
                 put(whole, new PlanNetFiring(t.id(), named, moves, ends), robots);
             }
         }
-    }
-
-    /** A transition with input events listens only while one of its in places is marked, or visited by nobody; its answer ends that visit. */
-    private List<CaseArcs> wakened(CaseArcs arcs) {
-        if (t.inputs().isEmpty() || ins.isEmpty() || waitsFor(EventRole.SUB_MISSION_ABORTED, EventRole.CHECK_RETURN)) {
-            return List.of(arcs);
-        }
-        List<CaseArcs> awake = new ArrayList<>();
-        List<String> inPlaces = ins.stream().map(InEdge::place).distinct().toList();
-        boolean isAwake = inPlaces.stream()
-                .anyMatch(place -> work.places().allIn(place).stream().anyMatch(arcs::needs));
-        if (isAwake) {
-            awake.add(arcs);
-        }
-        for (String place : inPlaces) {
-            if (!isAwake) {
-                for (int at : work.places().in(place).values()) {
-                    CaseArcs more = arcs.copy();
-                    more.atLeast(at, 1);
-                    awake.add(more);
-                }
-            }
-            work.places().nobody(place).ifPresent(nobody -> {
-                boolean asks = asks(place);
-                if (!isAwake && !(asks && !mayBeNews())) {
-                    CaseArcs more = arcs.copy();
-                    more.atLeast(nobody, 1);
-                    awake.add(more);
-                }
-                if (asks) {
-                    CaseArcs more = arcs.copy();
-                    more.remove(nobody, 1);
-                    awake.add(more);
-                }
-            });
-        }
-        return awake;
-    }
-
-    /** Whether an event of a place asks for one of its input events. */
-    private boolean asks(String place) {
-        return work.plan().place(place).stream()
-                .flatMap(p -> p.outputs().stream())
-                .flatMap(output -> work.vocabulary().event(output.type()).stream())
-                .anyMatch(type ->
-                        t.inputs().stream().anyMatch(input -> type.answers().contains(input.type())));
-    }
-
-    private boolean mayBeNews() {
-        return t.inputs().stream()
-                .anyMatch(input -> work.vocabulary()
-                        .event(input.type())
-                        .filter(type -> type.flags().contains(EventFlag.NEWS))
-                        .isPresent());
     }
 
     /** That the mission runs, the end, visits by nobody that end, and which transitions are to be looked at next. */
