@@ -18,6 +18,7 @@ import org.sami.spn.model.Transition;
  */
 final class PresenceCases {
     private static final int MOST_SPOTS = 4;
+    private static final int MOST_SHARES = 20_000;
 
     private final PlanNetWork work;
     private final List<String> spots;
@@ -100,7 +101,8 @@ final class PresenceCases {
     }
 
     /** Each way in which all robots stand somewhere in some places so that in each of these there is one; equal robots are not told apart. */
-    private List<List<Set<String>>> shares(List<Set<String>> within, Set<String> present) {
+    private List<List<Set<String>>> shares(List<Set<String>> within, Set<String> present)
+            throws PlanNetTooLargeException {
         List<List<Set<String>>> shares = new ArrayList<>();
         share(within, 0, new ArrayList<>(), shares);
         shares.removeIf(standings -> {
@@ -111,8 +113,13 @@ final class PresenceCases {
         return shares;
     }
 
-    private void share(List<Set<String>> within, int from, List<Set<String>> chosen, List<List<Set<String>>> shares) {
+    private void share(List<Set<String>> within, int from, List<Set<String>> chosen, List<List<Set<String>>> shares)
+            throws PlanNetTooLargeException {
         if (chosen.size() == work.robots()) {
+            if (shares.size() >= MOST_SHARES) {
+                throw new PlanNetTooLargeException(work.robots() + " robots can share " + within.size()
+                        + " sets of in places in more than " + MOST_SHARES + " ways: ask about fewer robots");
+            }
             shares.add(List.copyOf(chosen));
             return;
         }

@@ -31,6 +31,9 @@ import org.sami.spn.vocabulary.EventType;
  * matters, and each way to meet the requirements.
  */
 final class TransitionCases {
+    /** So many choices for all robots together are tried where it is followed whether any are there: a second or two. */
+    private static final int MOST_TRIED = 400_000;
+
     private final PlanNetWork work;
     private final Transition t;
     private final List<InEdge> ins;
@@ -44,6 +47,7 @@ final class TransitionCases {
     private Function<List<TokenOption>, Optional<CaseArcs>> ofRobots;
     private Optional<Map<Object, PresenceCases.Found>> found = Optional.empty();
     private int made;
+    private int tried;
 
     TransitionCases(PlanNetWork work, Transition t, List<CaseArcs> conditions) {
         this.work = work;
@@ -176,6 +180,10 @@ final class TransitionCases {
             List<GenericOption> generics)
             throws PlanNetTooLargeException {
         if (next == perToken.size()) {
+            if (found.isPresent() && ++tried > MOST_TRIED) {
+                throw new PlanNetTooLargeException("robots can share the in places of \"" + title()
+                        + "\" in too many ways: ask about fewer robots");
+            }
             if (isMet(chosen)) {
                 List<TokenOption> robots = chosen.stream()
                         .filter(o -> o.token.equals(PlanToken.ROBOTS))

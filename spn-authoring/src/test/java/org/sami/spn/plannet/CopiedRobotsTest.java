@@ -1,9 +1,11 @@
 package org.sami.spn.plannet;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.SearchBudget;
@@ -87,5 +89,21 @@ class CopiedRobotsTest {
         assertThat(happens.witness()).isPresent();
         assertThat(two.verdict()).isEqualTo(NetVerdict.YES);
         assertThat(byName.verdict()).isEqualTo(NetVerdict.YES);
+    }
+
+    @Test
+    void tooManyRobotsToShareTheInPlacesAreRefusedAtOnce() {
+        NetBuilder net = listed().transition("gather", "Done");
+        for (String place : List.of("work", "list", "done", "twice")) {
+            net.in(place, "gather", "always");
+        }
+        net.out("gather", "work", "take all relevant").out("gather", "twice", "add all proxy");
+        net.out("gather", "done", "add all relevant");
+        List<String> many = IntStream.rangeClosed(1, 12).mapToObj(i -> "R" + i).toList();
+        PlanNetRequest request = new PlanNetRequest(NetBuilder.project(net.build()), TestVocabulary.TEST, "p", many);
+
+        assertThatThrownBy(() -> PlanNet.present(request))
+                .isInstanceOf(PlanNetTooLargeException.class)
+                .hasMessageContaining("12 robots can share 8 sets of in places");
     }
 }

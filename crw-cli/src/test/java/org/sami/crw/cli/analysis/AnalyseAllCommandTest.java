@@ -42,7 +42,8 @@ class AnalyseAllCommandTest {
         assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
         assertThat(ran.out().lines().filter(line -> line.startsWith("| `")))
                 .hasSize(4)
-                .allMatch(line -> line.contains("| no | yes | – | – |"));
+                .allMatch(line -> line.contains("| no | yes | – | – |"))
+                .allMatch(line -> line.contains("*†") == line.contains("`deploy-and-station-keep`"));
     }
 
     @Test
