@@ -105,10 +105,6 @@ class SpoiltTranslationTest {
                 single("nobody who is named is looked at", "(!t.inputs().isEmpty()", "(false"),
                 single("no group takes in more than leaves", "if (entering > leaving(", "if (entering > 1 + leaving("),
                 single("what enters is not counted", "entering += entering(", "entering += 0 * entering("),
-                single(
-                        "who enters from several places enters once",
-                        "s.level() == 0 ? present :",
-                        "s.level() == 0 ? Math.min(1, present) :"),
                 single("who is picked does not enter", "isPicked ? Math.min(r.n(), present) : 0", "0"),
                 single(
                         "who is added is not counted",
