@@ -2,6 +2,7 @@ package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.event.KeyEvent;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
@@ -25,7 +26,6 @@ import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.gui.remote.ConnectionBand;
 import org.sami.crw.gui.remote.RemoteWindow;
 import org.sami.crw.gui.start.DataDirectory;
-import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.archive.SessionJournal;
@@ -53,6 +53,7 @@ import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Look;
+import org.sami.ui.value.WrappedText;
 import org.sami.ui.window.WindowSettings;
 
 /** The operator's window over a session behind a real server: a question answered by pressing, the fleet stopped, the server gone. */
@@ -148,7 +149,7 @@ class RemoteWindowTest {
             robot.untilSaid("connection", "Session at ws://127.0.0.1:");
 
             assertThat(window.commands().get("mission-start").whyNot())
-                    .contains("your role in this session, observer, may not start or end missions");
+                    .contains("your role in this session, observer, may not start or end missions, or connect boats");
             assertThat(window.commands().get("boat-by-hand").whyNot().orElseThrow())
                     .endsWith("may not drive boats");
             assertThat(window.commands().all())
@@ -169,6 +170,7 @@ class RemoteWindowTest {
                             "mission-abort",
                             "mission-complete",
                             "global-set",
+                            "boat-connect",
                             "boat-add-simulated",
                             "address-give-up",
                             "boat-by-hand",
@@ -187,7 +189,7 @@ class RemoteWindowTest {
     }
 
     @Test
-    void setsABoatsSettingsUntilTheRoleIsAnother() throws Exception {
+    void connectsABoatAndSetsItsSettingsUntilTheRoleIsAnother() throws Exception {
         RealDisplay.assumed();
         DomainLibrary library =
                 DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
@@ -211,10 +213,23 @@ class RemoteWindowTest {
             RemoteWindow window = open(server, ended);
             WindowRobot robot = new WindowRobot();
             robot.untilSaid("connection", "Session at ws://127.0.0.1:");
-            session.fleet()
-                    .connect(new BoatAddress(
-                            boat.address().getAddress().getHostAddress(),
-                            boat.address().getPort()));
+            WindowRobot.ask(() -> {
+                window.commands().get("boat-connect").run();
+                return true;
+            });
+            JTextField address = robot.find(JTextField.class, "boat-connect-address");
+            AbstractButton connect = robot.find(AbstractButton.class, "boat-connect-do");
+            WindowRobot.ask(() -> {
+                address.setText("127.0.0.1:" + boat.address().getPort());
+                connect.doClick();
+                return true;
+            });
+            WrappedText answer = robot.find(WrappedText.class, "boat-connect-said");
+            robot.until(
+                    "the boat has answered",
+                    () -> answer.getText()
+                            .equals("✓ 127.0.0.1:" + boat.address().getPort() + " is connected as bella"));
+            robot.press(KeyEvent.VK_ESCAPE);
             robot.clickRow("boats-table", "bella");
             WindowRobot.ask(() -> {
                 window.commands().get("panel-boat").run();

@@ -10,6 +10,7 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import org.sami.crw.fleet.RobotKind;
+import org.sami.crw.gui.boat.ConnectSheet;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
@@ -77,6 +78,7 @@ public final class RemoteWindow {
                 new Notices(robots::say));
         CommandRegistry commands = context.commands();
         band.of(session.address().toString(), session.person(), context.notices(), commands::askPolicy);
+        commands.add(ConnectSheet.command(context, frame.getRootPane()));
         FleetStopCommands fleetStop = new FleetStopCommands(context);
         panels = new OperatorPanels(context, settings, new LoadedProject(Optional.empty()));
         sounds = AlarmSounds.of(context, settings);
