@@ -13,7 +13,7 @@ public final class OtherWorkException extends WorkException {
         this.differences = List.copyOf(differences);
     }
 
-    /** What differs, a phrase each, such as {@code seed is 1 there and 2 here}. */
+    /** What differs, a phrase each, such as {@code seed: 1 there, 2 here}. */
     public List<String> differences() {
         return differences;
     }

@@ -23,6 +23,9 @@ record RunTable(String work, long leaseMillis) {
     /** How often a run may end its worker: the first end may be anybody's fault. */
     static final int MOST_BEGUN = 2;
 
+    /** Leases after which a run whose worker says nothing is given up: one that stands still for some seconds is not dead. */
+    private static final int SILENT_LEASES = 5;
+
     private static final String FREE = "result IS NULL AND ends <= clock_timestamp()";
     private static final String LEASE = "clock_timestamp() + ? * interval '1 ms'";
 
@@ -77,7 +80,7 @@ record RunTable(String work, long leaseMillis) {
      */
     void free(Connection connection, long worker, Collection<Integer> runs, boolean counts) throws SQLException {
         String begun = counts ? "" : ", begun = begun - 1";
-        update(connection, worker, runs, "SET ends = clock_timestamp()" + begun);
+        update(connection, worker, runs, "SET ends = '-infinity'" + begun);
     }
 
     /** Lets the leases of a worker and of its runs last longer. */
@@ -139,9 +142,10 @@ record RunTable(String work, long leaseMillis) {
     private List<Integer> givenUp(Connection connection) throws SQLException {
         List<Integer> runs = new ArrayList<>();
         try (PreparedStatement select =
-                connection.prepareStatement("SELECT run FROM runs WHERE experiment = ? AND begun >= " + MOST_BEGUN
-                        + " AND " + FREE + " ORDER BY run")) {
+                connection.prepareStatement("SELECT run FROM runs WHERE experiment = ? AND result IS NULL AND begun >= "
+                        + MOST_BEGUN + " AND ends + ? * interval '1 ms' <= clock_timestamp() ORDER BY run")) {
             select.setString(1, work);
+            select.setLong(2, SILENT_LEASES * leaseMillis);
             try (ResultSet rows = select.executeQuery()) {
                 while (rows.next()) {
                     runs.add(rows.getInt(1));

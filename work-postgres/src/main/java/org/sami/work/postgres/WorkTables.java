@@ -12,7 +12,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import org.sami.journal.postgres.Connections;
 import org.sami.journal.postgres.PostgresAddress;
 
@@ -20,6 +21,8 @@ import org.sami.journal.postgres.PostgresAddress;
 final class WorkTables {
     /** The version that this program writes and reads. */
     private static final int CURRENT = 1;
+
+    private static final String NOT_SET = "not set";
 
     private WorkTables() {}
 
@@ -82,7 +85,7 @@ final class WorkTables {
         if (differences.isEmpty()) {
             int runs = count(connection, work.name());
             if (runs != work.runs()) {
-                differences.add("it has " + runs + " runs there and " + work.runs() + " here");
+                differences.add("number of runs: " + runs + " there, " + work.runs() + " here");
             }
         }
         if (!differences.isEmpty()) {
@@ -142,22 +145,16 @@ final class WorkTables {
     }
 
     private static List<String> differences(Map<String, String> there, Map<String, String> here) {
+        Set<String> names = new TreeSet<>(there.keySet());
+        names.addAll(here.keySet());
         List<String> differences = new ArrayList<>();
-        here.forEach((name, value) -> {
-            String other = there.get(name);
-            if (!value.equals(other)) {
-                differences.add(name + " is "
-                        + Optional.ofNullable(other)
-                                .map(text -> text + " there")
-                                .orElse("not set there") + " and "
-                        + value + " here");
+        for (String name : names) {
+            String other = there.getOrDefault(name, NOT_SET);
+            String own = here.getOrDefault(name, NOT_SET);
+            if (!own.equals(other)) {
+                differences.add(name + ": " + other + " there, " + own + " here");
             }
-        });
-        there.forEach((name, value) -> {
-            if (!here.containsKey(name)) {
-                differences.add(name + " is " + value + " there and not set here");
-            }
-        });
+        }
         return differences;
     }
 }

@@ -12,6 +12,7 @@ import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 import org.sami.journal.postgres.PostgresAddress;
+import org.sami.work.postgres.testing.TestDatabase;
 
 /** The loop that takes runs and makes them. */
 class RunLoopTest {

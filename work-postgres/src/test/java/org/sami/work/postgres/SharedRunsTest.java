@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.sami.journal.postgres.PostgresAddress;
+import org.sami.work.postgres.testing.TestDatabase;
 
 /** Leases of runs, who may join, and what is left by a worker that dies. */
 class SharedRunsTest {
@@ -26,7 +27,7 @@ class SharedRunsTest {
 
     /** As after the death of every worker. */
     private void endLeases() throws SQLException {
-        TestDatabase.run(address, "UPDATE runs SET ends = clock_timestamp()");
+        TestDatabase.run(address, "UPDATE runs SET ends = '-infinity'");
     }
 
     @Test
@@ -85,6 +86,22 @@ class SharedRunsTest {
     }
 
     @Test
+    void aRunWhoseSecondWorkerStandsStillIsNotGivenUpAtOnce() throws Exception {
+        try (SharedRuns first = join(1, "first");
+                SharedRuns second = join(1, "second")) {
+            first.take();
+            endLeases();
+            second.take();
+
+            TestDatabase.run(address, "UPDATE runs SET ends = clock_timestamp()");
+
+            assertThat(first.take()).isEmpty();
+            assertThat(first.standing().givenUp()).isEmpty();
+            assertThat(first.standing().isOver()).isFalse();
+        }
+    }
+
+    @Test
     void aResultThatComesLateCountsAllTheSame() throws Exception {
         try (SharedRuns slept = join(1, "slept");
                 SharedRuns other = join(1, "other")) {
@@ -126,10 +143,10 @@ class SharedRunsTest {
                         OtherWorkException.class,
                         other -> assertThat(other.differences())
                                 .containsExactlyInAnyOrder(
-                                        "seed is 1 there and 2 here",
-                                        "boats is not set there and 3 here",
-                                        "program's version is 0.1.0 there and not set here"));
-        assertThatThrownBy(() -> join(3, "other")).hasMessageContaining("it has 2 runs there and 3 here");
+                                        "seed: 1 there, 2 here",
+                                        "boats: not set there, 3 here",
+                                        "program's version: 0.1.0 there, not set here"));
+        assertThatThrownBy(() -> join(3, "other")).hasMessageContaining("number of runs: 2 there, 3 here");
     }
 
     @Test

@@ -30,7 +30,7 @@ final class ExperimentSettings {
         settings.put("conditions", String.join(",", conditions));
         settings.put("seeds", seeds.stream().map(String::valueOf).collect(Collectors.joining(",")));
         for (ExperimentCase one : cases) {
-            String of = one.label() + ": ";
+            String of = one.label() + " ";
             settings.put(of + "plan's content", sha256(project(one.plan().project(), library)));
             SettingsMap.write(one.settings()).forEach((name, value) -> settings.put(of + name, value));
         }

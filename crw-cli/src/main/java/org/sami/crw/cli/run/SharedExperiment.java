@@ -120,8 +120,9 @@ final class SharedExperiment {
                         .map(worker -> worker.done() + " by " + worker.name())
                         .collect(Collectors.joining(", ")));
         if (!standing.givenUp().isEmpty()) {
-            err.println(standing.givenUp().size() + " of the " + portionsWord
-                    + " are given up: the processes that made them ended twice meanwhile");
+            int count = standing.givenUp().size();
+            err.println(count + " of the " + portionsWord + (count == 1 ? " is" : " are")
+                    + " given up: the processes that made them ended twice meanwhile");
         }
         err.flush();
     }

@@ -1,4 +1,4 @@
-package org.sami.work.postgres;
+package org.sami.work.postgres.testing;
 
 import io.zonky.test.db.postgres.embedded.EmbeddedPostgres;
 import java.io.IOException;
@@ -6,14 +6,15 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.sql.Connection;
 import java.sql.DriverManager;
+import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.sami.journal.postgres.PostgresAddress;
 
-/** A PostgreSQL server for the tests of this module; each test has a schema of its own in it. It ends with the process. */
-final class TestDatabase {
+/** A PostgreSQL server for tests; each test has a schema of its own in it. It ends with the process. */
+public final class TestDatabase {
     private static final AtomicInteger SCHEMAS = new AtomicInteger();
 
     private TestDatabase() {}
@@ -35,16 +36,26 @@ final class TestDatabase {
     }
 
     /** A schema that is not there yet. */
-    static PostgresAddress address() {
+    public static PostgresAddress address() {
         return PostgresAddress.parse("postgresql://localhost:" + Shared.SERVER.getPort()
                 + "/postgres?user=postgres&schema=w" + SCHEMAS.incrementAndGet());
     }
 
     /** Does something to tables as another program would. */
-    static void run(PostgresAddress address, String sql) throws SQLException {
+    public static void run(PostgresAddress address, String sql) throws SQLException {
         try (Connection connection = DriverManager.getConnection(address.url(), address.properties());
                 Statement statement = connection.createStatement()) {
             statement.execute(sql);
+        }
+    }
+
+    /** A number that a query gives. */
+    public static long number(PostgresAddress address, String sql) throws SQLException {
+        try (Connection connection = DriverManager.getConnection(address.url(), address.properties());
+                Statement statement = connection.createStatement();
+                ResultSet rows = statement.executeQuery(sql)) {
+            rows.next();
+            return rows.getLong(1);
         }
     }
 }
