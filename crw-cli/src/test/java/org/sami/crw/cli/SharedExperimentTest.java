@@ -168,7 +168,7 @@ class SharedExperimentTest {
         assertThat(refused.exitCode()).isEqualTo(2);
         assertThat(refused.err())
                 .contains("is another one")
-                .contains("seeds: 1,2,3 there, 1,2 here")
+                .contains("seeds: 1..3 there, 1..2 here")
                 .contains("clv areaM: 100.0 there, 120.0 here")
                 .doesNotContain("conditions:");
     }

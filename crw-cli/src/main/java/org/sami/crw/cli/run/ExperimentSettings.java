@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.LongStream;
 import org.sami.crw.cli.output.Version;
 import org.sami.crw.sim.experiment.ExperimentCase;
 import org.sami.crw.sim.experiment.table.ExperimentFile;
@@ -28,7 +29,7 @@ final class ExperimentSettings {
         Map<String, String> settings = common(library);
         settings.put("missions", cases.stream().map(ExperimentCase::label).collect(Collectors.joining(",")));
         settings.put("conditions", String.join(",", conditions));
-        settings.put("seeds", seeds.stream().map(String::valueOf).collect(Collectors.joining(",")));
+        settings.put("seeds", words(seeds));
         for (ExperimentCase one : cases) {
             String of = one.label() + " ";
             settings.put(of + "plan's content", sha256(project(one.plan().project(), library)));
@@ -68,6 +69,15 @@ final class ExperimentSettings {
 
     private static String project(Project project, DomainLibrary library) {
         return new ProjectWriter(library.vocabulary()).text(project);
+    }
+
+    private static String words(List<Long> seeds) {
+        long first = seeds.get(0);
+        List<Long> following =
+                LongStream.range(first, first + seeds.size()).boxed().toList();
+        return seeds.size() > 1 && seeds.equals(following)
+                ? first + ".." + (first + seeds.size() - 1)
+                : seeds.stream().map(String::valueOf).collect(Collectors.joining(","));
     }
 
     private static String brief(String value) {
