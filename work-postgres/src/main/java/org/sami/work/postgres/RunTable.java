@@ -159,8 +159,8 @@ record RunTable(String work, long leaseMillis) {
         List<Standing.Worker> workers = new ArrayList<>();
         try (PreparedStatement select = connection.prepareStatement(
                 "SELECT w.name, count(r.result), count(r.run) FILTER (WHERE r.result IS NULL AND r.ends >"
-                    + " clock_timestamp()), w.ends > clock_timestamp() FROM workers w LEFT JOIN runs r ON r.worker ="
-                    + " w.id WHERE w.experiment = ? GROUP BY w.id ORDER BY w.id")) {
+                        + " clock_timestamp()), w.ends > clock_timestamp() FROM workers w LEFT JOIN runs r ON r.worker ="
+                        + " w.id WHERE w.experiment = ? GROUP BY w.id ORDER BY w.id")) {
             select.setString(1, work);
             try (ResultSet rows = select.executeQuery()) {
                 while (rows.next()) {

@@ -49,9 +49,9 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         sortOptions = false,
         description = "Runs missions on simulated boats with many seeds and in several conditions, side by side on all"
-            + " cores, and prints a table of the results. Equal experiments give equal tables. The tables of the"
-            + " thesis, and experiments of your own that compare versions of a mission, have other options: see 'crw"
-            + " experiment --table all --help'.",
+                + " cores, and prints a table of the results. Equal experiments give equal tables. The tables of the"
+                + " thesis, and experiments of your own that compare versions of a mission, have other options: see 'crw"
+                + " experiment --table all --help'.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:all missions ended",
