@@ -74,7 +74,6 @@ public final class ExperimentCommand implements Callable<Integer>, TableArgument
     private static final String RUNS = "--runs";
     private static final Set<String> OF_THE_EXPERIMENT =
             Set.of(RUNS, "--seeds", "--conditions", "--jobs", "--out", "--overwrite", "--workers");
-    private static final int MOST_JOBS = 1000;
 
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
@@ -198,7 +197,7 @@ public final class ExperimentCommand implements Callable<Integer>, TableArgument
         if (jobs == null) {
             return Runtime.getRuntime().availableProcessors();
         }
-        UsageFault.unlessWithin("--jobs", jobs, 1, MOST_JOBS);
+        UsageFault.unlessWithin("--jobs", jobs, 1, 1000);
         return jobs;
     }
 
@@ -241,21 +240,19 @@ public final class ExperimentCommand implements Callable<Integer>, TableArgument
     }
 
     /** Makes the rows of an experiment, here or with other machines. */
-    @FunctionalInterface
     private interface Making {
         List<ExperimentRow> rows(StopOnInterrupt stop, ProgressDisplay progress) throws IOException;
     }
 
     private int run(Experiment experiment, Making making) throws IOException {
         PrintWriter err = spec.commandLine().getErr();
-        PrintWriter printed = spec.commandLine().getOut();
         ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             List<ExperimentRow> rows = making.rows(stop, progress);
             progress.end();
             boolean stopped = Thread.interrupted() || rows.size() < experiment.size();
-            printed.print(ExperimentTable.text(rows));
-            printed.flush();
+            spec.commandLine().getOut().print(ExperimentTable.text(rows));
+            spec.commandLine().getOut().flush();
             boolean written = write(rows);
             long ended = rows.stream()
                     .filter(row -> row.ending().outcome() == RunOutcome.ENDED)
