@@ -50,7 +50,8 @@ class ThirdPartyNoticeTest {
             "spn-authoring",
             "spn-core",
             "spn-language",
-            "uav-domain");
+            "uav-domain",
+            "work-postgres");
 
     private static final Pattern ENTRY =
             Pattern.compile("^(\\S+) (\\S+)\\n    licence: (.+)\\n    home: (http\\S+)$", Pattern.MULTILINE);

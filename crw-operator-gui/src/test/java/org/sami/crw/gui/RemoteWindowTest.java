@@ -2,23 +2,35 @@ package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.event.KeyEvent;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalTime;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
+import javax.swing.JTabbedPane;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.gui.remote.ConnectionBand;
 import org.sami.crw.gui.remote.RemoteWindow;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.archive.SessionJournal;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.palette.Theme;
 import org.sami.session.client.KnownServers;
 import org.sami.session.client.Login;
@@ -35,11 +47,13 @@ import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
+import org.sami.spn.value.GeoPoint;
 import org.sami.ui.EventThread;
 import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.command.Command;
 import org.sami.ui.look.Look;
+import org.sami.ui.value.WrappedText;
 import org.sami.ui.window.WindowSettings;
 
 /** The operator's window over a session behind a real server: a question answered by pressing, the fleet stopped, the server gone. */
@@ -135,7 +149,7 @@ class RemoteWindowTest {
             robot.untilSaid("connection", "Session at ws://127.0.0.1:");
 
             assertThat(window.commands().get("mission-start").whyNot())
-                    .contains("your role in this session, observer, may not start or end missions");
+                    .contains("your role in this session, observer, may not start or end missions, or connect boats");
             assertThat(window.commands().get("boat-by-hand").whyNot().orElseThrow())
                     .endsWith("may not drive boats");
             assertThat(window.commands().all())
@@ -156,10 +170,15 @@ class RemoteWindowTest {
                             "mission-abort",
                             "mission-complete",
                             "global-set",
+                            "boat-connect",
                             "boat-add-simulated",
                             "address-give-up",
                             "boat-by-hand",
-                            "boat-cancel-command");
+                            "boat-cancel-command",
+                            "boat-set-heading",
+                            "boat-set-speed",
+                            "boat-set-velocity",
+                            "boat-set-lost-link");
             assertThat(window.commands().get("fleet-stop").isEnabled()).isTrue();
             WindowRobot.ask(() -> {
                 window.end();
@@ -167,6 +186,95 @@ class RemoteWindowTest {
             });
             assertThat(ended.get(300, TimeUnit.SECONDS)).isZero();
         }
+    }
+
+    @Test
+    void connectsABoatAndSetsItsSettingsUntilTheRoleIsAnother() throws Exception {
+        RealDisplay.assumed();
+        DomainLibrary library =
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+        Project project = new ProjectReader(library.vocabulary()).read(PROJECT).orThrow();
+        JournalHeader header = JournalHeader.of(PROJECT, library.files().texts(), Map.of());
+        PeopleFile people = new PeopleFile(folder.resolve("people"));
+        people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
+        CompletableFuture<Integer> ended = new CompletableFuture<>();
+        try (Session session = Session.open(
+                        SessionSetup.of(library.vocabulary(), project).with(SessionJournal.none(header)));
+                SessionServer server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
+                BoatOnTcp boat = new BoatOnTcp(
+                        BoatSettings.of(
+                                "bella",
+                                new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+                                GeoPoint.of(45.4, 10.9),
+                                1),
+                        new SteadyClock(ProcessClock::ms),
+                        TcpServerListener.NONE)) {
+            session.begin();
+            RemoteWindow window = open(server, ended);
+            WindowRobot robot = new WindowRobot();
+            robot.untilSaid("connection", "Session at ws://127.0.0.1:");
+            WindowRobot.ask(() -> {
+                window.commands().get("boat-connect").run();
+                return true;
+            });
+            JTextField address = robot.find(JTextField.class, "boat-connect-address");
+            AbstractButton connect = robot.find(AbstractButton.class, "boat-connect-do");
+            WindowRobot.ask(() -> {
+                address.setText("127.0.0.1:" + boat.address().getPort());
+                connect.doClick();
+                return true;
+            });
+            WrappedText answer = robot.find(WrappedText.class, "boat-connect-said");
+            robot.until(
+                    "the boat has answered",
+                    () -> answer.getText()
+                            .equals("✓ 127.0.0.1:" + boat.address().getPort() + " is connected as bella"));
+            robot.press(KeyEvent.VK_ESCAPE);
+            robot.clickRow("boats-table", "bella");
+            WindowRobot.ask(() -> {
+                window.commands().get("panel-boat").run();
+                return true;
+            });
+            JTabbedPane tabs = robot.find(JTabbedPane.class, "boat-tabs");
+            WindowRobot.ask(() -> {
+                tabs.setSelectedIndex(tabs.indexOfTab("Settings"));
+                return true;
+            });
+            JTextField multiplier = robot.find(JTextField.class, "boat-velocity");
+            robot.until(
+                    "its settings are known",
+                    () -> said(robot, "boat-velocity-now").equals("in force: 1"));
+
+            WindowRobot.ask(() -> {
+                multiplier.setText("0.5");
+                window.commands().get("boat-set-velocity").run();
+                return true;
+            });
+            robot.until("it is taken", () -> said(robot, "boat-velocity-now").equals("in force: 0.5   ✓ taken"));
+
+            Files.writeString(people.file(), Files.readString(people.file()).replace("operator", "pilot"));
+            robot.until(
+                    "the window knows the role",
+                    () -> window.commands()
+                            .get("boat-set-velocity")
+                            .whyNot()
+                            .equals(Optional.of("your role in this session, pilot, may not set up boats")));
+            assertThat(window.commands().get("boat-by-hand").whyNot().orElse(""))
+                    .doesNotContain("your role");
+            Files.writeString(people.file(), Files.readString(people.file()).replace("pilot", "operator"));
+            robot.until(
+                    "the lock is ended",
+                    () -> window.commands().get("boat-set-velocity").whyNot().isEmpty());
+            WindowRobot.ask(() -> {
+                window.end();
+                return true;
+            });
+            assertThat(ended.get(300, TimeUnit.SECONDS)).isZero();
+        }
+    }
+
+    private static String said(WindowRobot robot, String label) {
+        return robot.find(JLabel.class, label).getText();
     }
 
     private RemoteWindow open(SessionServer server, CompletableFuture<Integer> ended) throws Exception {

@@ -44,7 +44,7 @@ public final class ConnectAttempt {
      *
      * @param changed called when a boat has answered or was refused; {@link #state} says whether none has answered yet
      */
-    public static ConnectAttempt begin(Session session, BoatAddress address, Consumer<ConnectAttempt> changed) {
+    public static ConnectAttempt begin(FrontSession session, BoatAddress address, Consumer<ConnectAttempt> changed) {
         Set<String> known = new HashSet<>();
         session.models().fleet().snapshot().forEach(one -> known.add(one.boat()));
         ConnectAttempt attempt = new ConnectAttempt(session.models(), address, known);

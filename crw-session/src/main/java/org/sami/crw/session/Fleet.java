@@ -329,7 +329,7 @@ public final class Fleet implements FrontFleet {
         return onBoat(boat, proxy -> proxy.settings().inForce());
     }
 
-    /** Sets the gains of one of a boat's control loops; completes when the boat has taken them, fails with its reason where it refuses. */
+    @Override
     public CompletionStage<Void> setGains(String boat, GainAxis axis, Gains gains) {
         return set(
                 boat,
@@ -337,11 +337,7 @@ public final class Fleet implements FrontFleet {
                 "set the " + axis.name().toLowerCase(Locale.ROOT) + " gains of " + boat + " to " + gains);
     }
 
-    /**
-     * Scales the speed of every leg of a boat; as {@link #setGains}.
-     *
-     * @param multiplier 0 to {@link org.sami.boat.link.SetVelocityMultiplier#MAX_MULTIPLIER}
-     */
+    @Override
     public CompletionStage<Void> setVelocityMultiplier(String boat, double multiplier) {
         return set(
                 boat,
@@ -349,7 +345,7 @@ public final class Fleet implements FrontFleet {
                 "set the velocity multiplier of " + boat + " to " + multiplier);
     }
 
-    /** Sets what a boat does when its link is lost; as {@link #setGains}. */
+    @Override
     public CompletionStage<Void> setLostLinkAction(String boat, LostLinkAction action) {
         return set(
                 boat,

@@ -2,6 +2,9 @@ package org.sami.crw.session;
 
 import java.util.List;
 import java.util.concurrent.CompletionStage;
+import org.sami.boat.link.GainAxis;
+import org.sami.boat.link.Gains;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.value.GeoPoint;
@@ -57,6 +60,19 @@ public interface FrontFleet {
 
     /** Has a boat be sent its path once more. */
     CompletionStage<Void> sendPathAgain(String boat);
+
+    /** Sets the gains of one of a boat's control loops; completes when the boat has taken them, fails with its reason where it refuses. */
+    CompletionStage<Void> setGains(String boat, GainAxis axis, Gains gains);
+
+    /**
+     * Scales the speed of every leg of a boat; as {@link #setGains}.
+     *
+     * @param multiplier 0 to {@link org.sami.boat.link.SetVelocityMultiplier#MAX_MULTIPLIER}
+     */
+    CompletionStage<Void> setVelocityMultiplier(String boat, double multiplier);
+
+    /** Sets what a boat does when its link is lost; as {@link #setGains}. */
+    CompletionStage<Void> setLostLinkAction(String boat, LostLinkAction action);
 
     /** Gives a boat that was driven by hand back to the missions. */
     CompletionStage<Void> handBack(String boat);

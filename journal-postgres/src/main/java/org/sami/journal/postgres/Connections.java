@@ -8,9 +8,9 @@ import java.sql.Statement;
 import java.util.Properties;
 
 /**
- * Opens connections to a journal's database. The driver takes the password from the file that {@code PGPASSFILE} names, else from {@code ~/.pgpass}; it stands in no address.
+ * Opens connections to the database of a journal, or of what else stands at such an address. The driver takes the password from the file that {@code PGPASSFILE} names, else from {@code ~/.pgpass}; it stands in no address.
  */
-final class Connections {
+public final class Connections {
     /** An answer that takes longer is none: a network that was cut says nothing. */
     private static final int WRITER_SECONDS = 10;
 
@@ -19,7 +19,7 @@ final class Connections {
     private Connections() {}
 
     /** For a writer: waits for locks and answers shortly, so that a fault shows while boats can still be held. */
-    static Connection toWrite(PostgresAddress address) throws SQLException {
+    public static Connection toWrite(PostgresAddress address) throws SQLException {
         Properties properties = properties(address, WRITER_SECONDS);
         properties.setProperty(
                 "options",
@@ -72,14 +72,15 @@ final class Connections {
         return DriverManager.getConnection(address.url(), properties);
     }
 
-    static void run(Connection connection, String sql) throws SQLException {
+    /** Runs a statement. */
+    public static void run(Connection connection, String sql) throws SQLException {
         try (Statement statement = connection.createStatement()) {
             statement.execute(sql);
         }
     }
 
     /** The first column of the first row; empty text where there is none. */
-    static String text(Connection connection, String sql) throws SQLException {
+    public static String text(Connection connection, String sql) throws SQLException {
         try (Statement statement = connection.createStatement();
                 ResultSet rows = statement.executeQuery(sql)) {
             String found = rows.next() ? rows.getString(1) : null;
@@ -88,7 +89,7 @@ final class Connections {
     }
 
     /** Ends a connection that may answer no longer, without waiting for it. */
-    static void drop(Connection connection) {
+    public static void drop(Connection connection) {
         try {
             connection.abort(Runnable::run);
         } catch (SQLException gone) {

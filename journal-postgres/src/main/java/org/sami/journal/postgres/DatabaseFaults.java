@@ -8,7 +8,7 @@ import java.util.Map;
 import org.sami.spn.host.JournalException;
 
 /** What faults of PostgreSQL mean, in words; by their codes (SQLSTATE), the classes of codes last. */
-final class DatabaseFaults {
+public final class DatabaseFaults {
     private static final Map<String, String> WORDS = Map.ofEntries(
             Map.entry("53100", "the disk of the database is full"),
             Map.entry("53200", "the database is out of memory"),
@@ -22,10 +22,11 @@ final class DatabaseFaults {
             Map.entry("25006", "the database is read only: it may be a standby"),
             Map.entry("3D000", "there is no such database"),
             Map.entry("42501", "the database's user may not do this"),
-            Map.entry("42P01", "a table of the journal is missing"),
+            Map.entry("42P01", "a table is missing"),
             Map.entry(
                     "28P01",
-                    "the database refuses the password; it is looked for in ~/.pgpass, or in the file that PGPASSFILE names"),
+                    "the database refuses the password; it is looked for in ~/.pgpass, or in the file that PGPASSFILE"
+                            + " names"),
             Map.entry("28000", "the database refuses this user"),
             Map.entry("58030", "the disk of the database does not take it"),
             Map.entry("08", "the database cannot be reached"),
@@ -36,7 +37,7 @@ final class DatabaseFaults {
     private DatabaseFaults() {}
 
     /** Why the database does not do it. */
-    static String words(SQLException fault) {
+    public static String words(SQLException fault) {
         for (Throwable cause = fault; cause != null; cause = cause.getCause()) {
             if (cause instanceof UnknownHostException) {
                 return "there is no such host";

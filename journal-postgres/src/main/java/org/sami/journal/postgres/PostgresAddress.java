@@ -13,13 +13,13 @@ import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
- * Where a journal is in PostgreSQL: {@code postgresql://[USER@]HOST[:PORT]/DATABASE[?PARAMETERS]}. Holds no password: the driver reads that from the user's password file.
+ * Where the tables of a journal, or of runs that several machines divide, are in PostgreSQL: {@code postgresql://[USER@]HOST[:PORT]/DATABASE[?PARAMETERS]}. Holds no password: the driver reads that from the user's password file.
  *
  * @param text as the user wrote it
- * @param schema of the journal's tables, so that a database can hold several journals
+ * @param schema of the tables, so that a database can hold several journals
  * @param parameters further ones of the driver
  */
-record PostgresAddress(
+public record PostgresAddress(
         String text, String host, int port, String database, String schema, Map<String, String> parameters) {
     static final String SCHEME = "postgresql";
 
@@ -31,12 +31,12 @@ record PostgresAddress(
     private static final Set<String> KNOWN = Set.of("user", "schema", "sslmode", "sslrootcert", "sslcert", "sslkey");
     private static final Set<String> VERIFYING = Set.of("verify-full", "verify-ca");
 
-    private static final String FORM = "a journal in PostgreSQL is postgresql://HOST:PORT/DATABASE?user=NAME";
+    private static final String FORM = "an address in PostgreSQL is postgresql://HOST:PORT/DATABASE?user=NAME";
     private static final String PASSWORDS =
             "leave the password out: it would stand in lists of processes and in logs. Write the line"
                     + " HOST:PORT:DATABASE:USER:PASSWORD to ~/.pgpass (mode 600), or to the file that PGPASSFILE names";
 
-    PostgresAddress {
+    public PostgresAddress {
         parameters = Map.copyOf(parameters);
     }
 
@@ -45,7 +45,7 @@ record PostgresAddress(
      *
      * @throws IllegalArgumentException with a sentence for the user, which repeats no password
      */
-    static PostgresAddress parse(String text) {
+    public static PostgresAddress parse(String text) {
         URI uri = uri(text);
         Map<String, String> parameters =
                 parameters(Optional.ofNullable(uri.getRawQuery()).orElse(""));
@@ -105,24 +105,24 @@ record PostgresAddress(
     private void checkTls() {
         String mode = parameters.get("sslmode");
         if (mode != null && !isLoopback() && !VERIFYING.contains(mode)) {
-            throw new IllegalArgumentException(
-                    "sslmode=" + mode + " is for this machine alone: to " + host
-                            + " a journal goes by TLS with the server's certificate checked, verify-full (the default) or verify-ca");
+            throw new IllegalArgumentException("sslmode=" + mode + " is for this machine alone: to " + host
+                    + " data goes by TLS with the server's certificate checked, verify-full (the default) or"
+                    + " verify-ca");
         }
     }
 
     /** Whether the database is on this machine, by its name. */
-    boolean isLoopback() {
+    public boolean isLoopback() {
         return host.equals("localhost") || LITERAL.matcher(host).matches();
     }
 
     /** The driver's address. */
-    String url() {
+    public String url() {
         return "jdbc:postgresql://" + host + ":" + port + "/" + database;
     }
 
     /** What the driver is to do, without a password. */
-    Properties properties() {
+    public Properties properties() {
         Properties properties = new Properties();
         properties.setProperty("sslmode", isLoopback() ? "prefer" : "verify-full");
         parameters.forEach(properties::setProperty);
@@ -135,7 +135,7 @@ record PostgresAddress(
     }
 
     /** For messages: database, host and schema. */
-    String words() {
+    public String words() {
         return SCHEME + "://" + host + ":" + port + "/" + database
                 + (schema.equals(DEFAULT_SCHEMA) ? "" : "?schema=" + schema);
     }

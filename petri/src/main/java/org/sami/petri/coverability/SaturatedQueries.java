@@ -3,9 +3,11 @@ package org.sami.petri.coverability;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.sami.petri.graph.HomeStates;
 import org.sami.petri.graph.MarkingTest;
 import org.sami.petri.graph.ReachabilityGraph;
+import org.sami.petri.net.FiringRule;
 import org.sami.petri.query.LinearComparison;
 import org.sami.petri.query.MarkingCondition;
 import org.sami.petri.query.NetQuery;
@@ -17,15 +19,18 @@ import org.sami.petri.query.QueryAnswer.NetVerdict;
  * everywhere there is a way to some markings, and bounds from above. For one thread.
  */
 public final class SaturatedQueries {
+    private final WiderNet wider;
     private final SaturatedNet saturated;
     private final ReachabilityGraph graph;
 
     /**
      * Answers from a graph.
      *
-     * @param graph complete, with the edges of sure firings
+     * @param wider the net that is saturated
+     * @param graph complete, with the edges of firings that are sure in both
      */
-    public SaturatedQueries(SaturatedNet saturated, ReachabilityGraph graph) {
+    public SaturatedQueries(WiderNet wider, SaturatedNet saturated, ReachabilityGraph graph) {
+        this.wider = wider;
         this.saturated = saturated;
         this.graph = graph;
     }
@@ -62,7 +67,7 @@ public final class SaturatedQueries {
                             NetVerdict.YES,
                             "from each of the " + graph.states() + " states such a marking can be reached"));
         } else if (query instanceof NetQuery.Bound bound) {
-            return saturated.places().get(bound.place())
+            return isNotCounted(bound.place())
                     ? Optional.empty()
                     : Optional.of(answer(
                             NetVerdict.YES,
@@ -75,7 +80,16 @@ public final class SaturatedQueries {
     private QueryAnswer answer(NetVerdict verdict, String words) {
         String where =
                 saturated.places().stream().mapToObj(graph.net()::placeId).collect(Collectors.joining(", "));
-        return new QueryAnswer(verdict, words + ", however many tokens are in " + where, Optional.empty(), graph);
+        return new QueryAnswer(
+                verdict,
+                words
+                        + (where.isEmpty() ? "" : ", however many tokens are in " + where)
+                        + (wider.presence().isEmpty()
+                                ? ""
+                                : ", with " + wider.presence().cardinality()
+                                        + " places of which it was followed only whether they have tokens"),
+                Optional.empty(),
+                graph);
     }
 
     private Optional<QueryAnswer> never(MarkingCondition condition, NetVerdict verdict, String what) {
@@ -84,12 +98,27 @@ public final class SaturatedQueries {
                 : Optional.of(answer(verdict, what + " is never reached"));
     }
 
+    /** Whether there may be a marking in which nothing is enabled that is sure. */
     private boolean deadlocks(MarkingTest end) {
-        return graph.deadlocks().stream().map(graph::marking).anyMatch(marking -> !end.test(marking));
+        return wider.isExact()
+                ? graph.deadlocks().stream().map(graph::marking).anyMatch(marking -> !end.test(marking))
+                : IntStream.range(0, graph.states())
+                        .mapToObj(graph::marking)
+                        .anyMatch(marking -> !end.test(marking) && !isSomethingSure(marking));
+    }
+
+    private boolean isSomethingSure(int[] marking) {
+        return IntStream.range(0, graph.net().transitionCount())
+                .filter(t -> wider.isSure(saturated.original(t)))
+                .anyMatch(t -> FiringRule.isEnabled(graph.net(), t, marking));
+    }
+
+    private boolean isNotCounted(int place) {
+        return saturated.places().get(place) || wider.presence().get(place);
     }
 
     private Optional<QueryAnswer> bound(NetQuery.BoundOfSum bound) {
-        if (bound.terms().stream().anyMatch(term -> saturated.places().get(term.place()))) {
+        if (bound.terms().stream().anyMatch(term -> isNotCounted(term.place()))) {
             return Optional.empty();
         }
         long most = Long.MIN_VALUE;
@@ -99,7 +128,10 @@ public final class SaturatedQueries {
         return Optional.of(answer(NetVerdict.YES, bound.text() + " is at most " + most));
     }
 
-    /** Whether a condition speaks of a place of which the graph says only whether it has tokens, or of what a transition needs. */
+    /**
+     * Whether a condition speaks of more than the graph tells: of a place that gathers tokens, of how many are in a place of which it says only whether it has any, or of
+     * what a transition needs.
+     */
     private boolean speaks(MarkingCondition condition) {
         if (condition instanceof MarkingCondition.All all) {
             return speaks(all.parts());
@@ -109,7 +141,8 @@ public final class SaturatedQueries {
             return speaks(not.part());
         } else if (condition instanceof LinearComparison comparison) {
             return comparison.terms().stream()
-                    .anyMatch(term -> saturated.places().get(term.place()));
+                    .anyMatch(term -> saturated.places().get(term.place())
+                            || (wider.presence().get(term.place()) && !comparison.isOfPresence()));
         }
         return true;
     }

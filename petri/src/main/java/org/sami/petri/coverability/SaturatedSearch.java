@@ -20,6 +20,7 @@ public final class SaturatedSearch {
     /** A place gathers tokens where it has so many: no arc tells that from one. */
     private static final int GATHERED = 2;
 
+    private final WiderNet wider;
     private final PetriNet net;
     private final BitSet candidates;
     private final SearchBudget budget;
@@ -30,18 +31,20 @@ public final class SaturatedSearch {
     /**
      * A search of a net.
      *
+     * @param wider the net
      * @param candidates places that may be saturated where they can be; others are always counted
      * @param symmetries what can be exchanged in the net, and in others with the same places
      * @param budget of each of its searches
      */
     public SaturatedSearch(
-            PetriNet net,
+            WiderNet wider,
             BitSet candidates,
             SearchBudget budget,
             Function<PetriNet, NetSymmetry> symmetries,
             GraphWatch watch,
             LongSupplier nanos) {
-        this.net = net;
+        this.wider = wider;
+        net = wider.net();
         this.candidates = (BitSet) candidates.clone();
         this.candidates.and(new SaturablePlaces(net).all());
         this.budget = budget;
@@ -61,24 +64,27 @@ public final class SaturatedSearch {
     }
 
     /**
-     * The graph with places saturated; empty where the budget did not do, or nothing gathers.
+     * The graph with places saturated; empty where the budget did not do, or nothing gathers and the net stands for itself.
      *
      * @param found the graph that ended where a place had gathered tokens
      */
     public Optional<SaturatedQueries> saturated(ReachabilityGraph found) {
         BitSet gathering = new BitSet();
         ReachabilityGraph graph = found;
-        while (graph.found().isPresent()) {
-            int[] marking = graph.marking(graph.found().getAsInt());
-            candidates.stream().filter(place -> marking[place] >= GATHERED).forEach(gathering::set);
+        while (graph.found().isPresent() || (graph == found && !wider.isExact())) {
+            if (graph.found().isPresent()) {
+                int[] marking = graph.marking(graph.found().getAsInt());
+                candidates.stream().filter(place -> marking[place] >= GATHERED).forEach(gathering::set);
+            }
             SaturatedNet saturated = SaturatedNet.of(net, gathering);
-            SearchSettings settings =
-                    SearchSettings.within(budget).withEdgesOf(saturated::isSure).withGoal(this::gathers);
+            SearchSettings settings = SearchSettings.within(budget)
+                    .withEdgesOf(t -> saturated.isSure(t) && wider.isSure(saturated.original(t)))
+                    .withGoal(this::gathers);
             NetSymmetry like = symmetries.apply(saturated.net());
             graph = ReachabilitySearch.explore(
                     saturated.net(), like.isEmpty() ? settings : settings.withSymmetry(like), watch, nanos);
             if (graph.isComplete()) {
-                return Optional.of(new SaturatedQueries(saturated, graph));
+                return Optional.of(new SaturatedQueries(wider, saturated, graph));
             }
         }
         return Optional.empty();

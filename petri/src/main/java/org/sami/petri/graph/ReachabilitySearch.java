@@ -20,6 +20,9 @@ public final class ReachabilitySearch {
     /** A firing whose marking is also brought into its normal form is so many. */
     private static final int NORMALIZED = 9;
 
+    /** So small a part of the time is added for states that were found and not followed. */
+    private static final int PART_FOR_WAITING = 10;
+
     /** As many places of a marking that is loaded are one. */
     private static final int PLACES = 16;
 
@@ -107,7 +110,7 @@ public final class ReachabilitySearch {
             }
         }
         if (end != null && end.isBounded()) {
-            lookAtWaiting();
+            lookAtWaiting(start + most + most / PART_FOR_WAITING);
         }
         if (symmetry != null) {
             symmetry.spread(fired, mostTokens);
@@ -195,9 +198,20 @@ public final class ReachabilitySearch {
         end = SearchEnd.FOUND;
     }
 
-    /** What is known of states that were found and not followed any more counts for bounds, goals and deadlocks. */
-    private void lookAtWaiting() {
+    /**
+     * What is known of states that were found and not followed any more counts for bounds, goals and deadlocks.
+     *
+     * @param until when to stop, in ns, where there are too many of them
+     */
+    private void lookAtWaiting(long until) {
         for (int number = looked; number < space.table().count() && found.isEmpty(); number++) {
+            work += 1 + net.transitionCount() / PLACES;
+            if (work >= CHECK_EVERY) {
+                work = 0;
+                if (nanos.getAsLong() - until >= 0) {
+                    return;
+                }
+            }
             space.load(number, state, marking);
             if (!note(number) && enabledTransitions.find(marking, enabled) == 0) {
                 noteDeadlock(number);

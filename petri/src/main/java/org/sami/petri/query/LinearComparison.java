@@ -25,6 +25,12 @@ public record LinearComparison(List<Term> terms, Relation relation, long constan
         MORE
     }
 
+    /** Whether it only asks if there are tokens in any of its places, such as {@code a + 2 * b >= 1}. */
+    public boolean isOfPresence() {
+        long least = relation == Relation.LESS || relation == Relation.AT_LEAST ? 1 : 0;
+        return constant == least && terms.stream().allMatch(term -> term.factor() > 0);
+    }
+
     @Override
     public boolean test(int[] marking) {
         long sum = 0;

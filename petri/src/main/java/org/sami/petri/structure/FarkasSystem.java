@@ -3,6 +3,7 @@ package org.sami.petri.structure;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongSupplier;
 import org.sami.petri.net.PetriNet;
 import org.sami.petri.structure.LinearCondition.AtLeast;
 import org.sami.petri.structure.LinearProgram.Outcome;
@@ -20,6 +21,7 @@ final class FarkasSystem {
     private final List<AtLeast> conditions;
     private final List<AtLeast> traps;
     private final List<FiringLimit> limits;
+    private final LongSupplier millisLeft;
     private final List<IntegerVector> rows = new ArrayList<>();
     private final List<Long> least = new ArrayList<>();
 
@@ -28,12 +30,14 @@ final class FarkasSystem {
             Incidence incidence,
             List<AtLeast> conditions,
             List<AtLeast> traps,
-            List<FiringLimit> limits) {
+            List<FiringLimit> limits,
+            LongSupplier millisLeft) {
         this.net = net;
         this.incidence = incidence;
         this.conditions = conditions;
         this.traps = traps;
         this.limits = limits;
+        this.millisLeft = millisLeft;
         int[] initial = net.initialMarking();
         for (AtLeast condition : conditions) {
             long missing =
@@ -67,7 +71,7 @@ final class FarkasSystem {
 
     /** Counts that solve the system, few in sum, as a solver computes them. */
     Outcome counts() {
-        LinearProgram program = new LinearProgram(incidence.columns().size());
+        LinearProgram program = new LinearProgram(incidence.columns().size(), millisLeft.getAsLong());
         for (int column = 0; column < incidence.columns().size(); column++) {
             program.cost(column, 1);
         }
@@ -94,7 +98,7 @@ final class FarkasSystem {
 
     /** A proof that nothing solves the system; empty where none was found, though there may be one. */
     Optional<RefutedCase> proof() {
-        LinearProgram program = new LinearProgram(rows.size());
+        LinearProgram program = new LinearProgram(rows.size(), millisLeft.getAsLong());
         long[] unsatisfied = new long[rows.size()];
         for (int row = 0; row < rows.size(); row++) {
             program.cost(row, -least.get(row));

@@ -39,13 +39,17 @@ final class LinearProgram {
         }
     }
 
-    /** A program with so many variables, all without cost. */
-    LinearProgram(int count) {
+    /**
+     * A program with so many variables, all without cost.
+     *
+     * @param mostMillis how long it may take, in ms; never more than ten seconds
+     */
+    LinearProgram(int count, long mostMillis) {
         for (int i = 0; i < count; i++) {
             variables.add(model.newVariable("x" + i).lower(0));
         }
-        model.options.time_abort = MOST_MILLIS;
-        model.options.time_suffice = MOST_MILLIS;
+        model.options.time_abort = Math.min(mostMillis, MOST_MILLIS);
+        model.options.time_suffice = model.options.time_abort;
     }
 
     /** Whether a program would take too long to be worth a try. */

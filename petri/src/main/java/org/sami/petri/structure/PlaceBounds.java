@@ -1,6 +1,8 @@
 package org.sami.petri.structure;
 
+import java.util.IdentityHashMap;
 import java.util.Optional;
+import java.util.function.LongSupplier;
 import org.sami.petri.net.PetriNet;
 import org.sami.petri.structure.LinearProgram.Outcome;
 
@@ -16,10 +18,20 @@ import org.sami.petri.structure.LinearProgram.Outcome;
 public final class PlaceBounds {
     private final PetriNet net;
     private final Incidence incidence;
+    private final LongSupplier millisLeft;
+
+    /** What weights bound, by the weights, as most of them bound many places. */
+    private final IdentityHashMap<IntegerVector, Optional<MarkingBound>> known = new IdentityHashMap<>();
 
     /** Bounds of the places of a net. */
     public PlaceBounds(PetriNet net) {
+        this(net, () -> Long.MAX_VALUE);
+    }
+
+    /** @param millisLeft how long a linear program may take from now on, in ms */
+    PlaceBounds(PetriNet net, LongSupplier millisLeft) {
         this.net = net;
+        this.millisLeft = millisLeft;
         this.incidence = Incidence.of(net);
     }
 
@@ -28,7 +40,7 @@ public final class PlaceBounds {
         MarkingBound best = null;
         for (IntegerVector weights : invariants.invariants()) {
             if (weights.get(place) > 0) {
-                Optional<MarkingBound> bound = bound(weights);
+                Optional<MarkingBound> bound = known.computeIfAbsent(weights, this::bound);
                 if (bound.isPresent() && (best == null || bound.get().mostTokens(place) < best.mostTokens(place))) {
                     best = bound.get();
                 }
@@ -42,7 +54,7 @@ public final class PlaceBounds {
         if (LinearProgram.isTooLarge(incidence.columns().size(), net.placeCount())) {
             return Optional.empty();
         }
-        LinearProgram program = new LinearProgram(net.placeCount());
+        LinearProgram program = new LinearProgram(net.placeCount(), millisLeft.getAsLong());
         for (int other = 0; other < net.placeCount(); other++) {
             program.cost(other, net.initial(other));
         }

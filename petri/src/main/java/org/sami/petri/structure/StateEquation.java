@@ -98,7 +98,8 @@ public final class StateEquation {
     }
 
     private boolean contradicts(Case assumed) {
-        FarkasSystem system = new FarkasSystem(net, incidence, assumed.conditions(), assumed.traps(), assumed.limits());
+        FarkasSystem system = new FarkasSystem(
+                net, incidence, assumed.conditions(), assumed.traps(), assumed.limits(), limits.millisLeft());
         Optional<RefutedCase> quick = InvariantRefuter.refute(net, incidence, invariants, system, assumed.conditions());
         if (quick.isPresent()) {
             refuted.add(quick.get());

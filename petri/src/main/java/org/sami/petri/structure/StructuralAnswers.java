@@ -25,7 +25,7 @@ public final class StructuralAnswers {
     public StructuralAnswers(PetriNet net, StructureLimits limits) {
         this.net = net;
         this.limits = limits;
-        this.bounds = new PlaceBounds(net);
+        this.bounds = new PlaceBounds(net, limits.millisLeft());
     }
 
     /** The minimal P-invariants without negative weights. */
@@ -50,6 +50,9 @@ public final class StructuralAnswers {
 
     /** The weights that bound a place lowest: a P-invariant where one gives a bound, else what the state equation gives. */
     public Optional<MarkingBound> bound(int place) {
+        if (limits.cancelled().getAsBoolean()) {
+            return Optional.empty();
+        }
         Optional<MarkingBound> byInvariant = bounds.byInvariants(invariants(), place);
         return byInvariant.isPresent() || limits.cancelled().getAsBoolean()
                 ? byInvariant

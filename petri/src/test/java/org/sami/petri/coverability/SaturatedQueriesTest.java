@@ -161,7 +161,12 @@ class SaturatedQueriesTest {
     void aBufferWithoutBoundHasFewStates() {
         PetriNet net = OpenNets.producerAndConsumer();
         SaturatedSearch search = new SaturatedSearch(
-                net, new SaturablePlaces(net).all(), ENOUGH, NetSymmetry::of, GraphWatch.NONE, System::nanoTime);
+                WiderNet.exact(net),
+                new SaturablePlaces(net).all(),
+                ENOUGH,
+                NetSymmetry::of,
+                GraphWatch.NONE,
+                System::nanoTime);
 
         ReachabilityGraph exact = search.exact();
         SaturatedQueries queries = search.saturated(exact).orElseThrow();
@@ -219,7 +224,9 @@ class SaturatedQueriesTest {
         SaturatedNet saturated = SaturatedNet.of(net, places);
         ReachabilityGraph graph = ReachabilitySearch.explore(
                 saturated.net(), SearchSettings.within(ENOUGH).withEdgesOf(saturated::isSure));
-        return graph.isComplete() ? Optional.of(new SaturatedQueries(saturated, graph)) : Optional.empty();
+        return graph.isComplete()
+                ? Optional.of(new SaturatedQueries(WiderNet.exact(net), saturated, graph))
+                : Optional.empty();
     }
 
     private static List<NetQuery> queries(PetriNet net, Random random) {

@@ -199,6 +199,29 @@ class ReachabilitySearchTest {
     }
 
     @Test
+    void statesThatWaitAreLookedAtForATenthOfTheTimeMore() {
+        int ends = 3_000;
+        PetriNetBuilder net = new PetriNetBuilder("fork");
+        net.place("start", 1);
+        for (int i = 0; i < ends; i++) {
+            net.place("end" + i, 0);
+            net.transition("go" + i);
+            net.consume(i, 0, 1).produce(i, i + 1, 1);
+        }
+        long[] now = {0};
+
+        ReachabilityGraph graph = ReachabilitySearch.explore(
+                net.build(),
+                SearchSettings.within(new SearchBudget(SearchBudget.MOST_STATES, 1L << 30, Duration.ofSeconds(2))),
+                GraphWatch.NONE,
+                () -> now[0] += 1_000_000_000);
+
+        assertThat(graph.end()).isEqualTo(SearchEnd.TIME);
+        assertThat(graph.states()).isEqualTo(ends + 1);
+        assertThat(graph.deadlocks()).hasSizeBetween(1, ends / 2);
+    }
+
+    @Test
     void searchIsStoppedFromOutside() {
         List<Integer> seen = new ArrayList<>();
         GraphWatch watch = new GraphWatch() {

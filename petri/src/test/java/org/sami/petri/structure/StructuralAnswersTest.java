@@ -222,6 +222,23 @@ final class StructuralAnswersTest {
                 List.of(LinearCondition.atLeast(first, 1), LinearCondition.atLeast(second, 1)));
     }
 
+    @Test
+    void structureIsAskedUntilATime() {
+        PetriNet net = Philosophers.net(3);
+        long[] now = {0};
+        StructureLimits limits = StructureLimits.USUAL.until(5_000_000, () -> now[0]);
+
+        StructuralAnswers intime = new StructuralAnswers(net, limits);
+        StructuralAnswers late = new StructuralAnswers(net, limits);
+
+        assertThat(intime.bound(0)).isPresent();
+        assertThat(limits.millisLeft().getAsLong()).isEqualTo(5);
+        now[0] = 5_000_000;
+        assertThat(late.bound(0)).isEmpty();
+        assertThat(limits.cancelled().getAsBoolean()).isTrue();
+        assertThat(limits.millisLeft().getAsLong()).isEqualTo(1);
+    }
+
     private static int place(PetriNet net, String id) {
         return net.place(id).orElseThrow();
     }

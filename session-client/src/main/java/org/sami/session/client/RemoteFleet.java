@@ -3,11 +3,15 @@ package org.sami.session.client;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
+import org.sami.boat.link.GainAxis;
+import org.sami.boat.link.Gains;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.BoatExplanation;
@@ -124,6 +128,31 @@ final class RemoteFleet implements FrontFleet {
     @Override
     public CompletionStage<Void> sendPathAgain(String boat) {
         return tell("resend", boat);
+    }
+
+    private static ObjectNode setting(String boat, String which) {
+        return ServerRequests.message("set").put("boat", boat).put("setting", which);
+    }
+
+    @Override
+    public CompletionStage<Void> setGains(String boat, GainAxis axis, Gains gains) {
+        return server.ask(setting(boat, axis.name().toLowerCase(Locale.ROOT))
+                        .put("p", gains.proportional())
+                        .put("i", gains.integral())
+                        .put("d", gains.derivative()))
+                .thenAccept(done -> {});
+    }
+
+    @Override
+    public CompletionStage<Void> setVelocityMultiplier(String boat, double multiplier) {
+        return server.ask(setting(boat, "velocity").put("multiplier", multiplier))
+                .thenAccept(done -> {});
+    }
+
+    @Override
+    public CompletionStage<Void> setLostLinkAction(String boat, LostLinkAction action) {
+        return server.ask(setting(boat, "lost-link").put("action", action.name().toLowerCase(Locale.ROOT)))
+                .thenAccept(done -> {});
     }
 
     /** Claims a boat for this person, unless that is done. */

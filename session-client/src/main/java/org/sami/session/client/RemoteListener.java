@@ -15,6 +15,9 @@ public interface RemoteListener {
     /** It will not come back: the person was removed, or another session is there now. */
     void ended(String why);
 
+    /** The person's role is another one now. */
+    void rights(PersonRights now);
+
     /** Somebody else did something. */
     void news(String text);
 }

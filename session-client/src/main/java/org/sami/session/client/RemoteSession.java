@@ -122,7 +122,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         return login.name();
     }
 
-    /** What that person may do, as of the last login. */
+    /** What that person may do, as its server said last. */
     public PersonRights rights() {
         return follower.rights();
     }

@@ -80,14 +80,14 @@ final class SessionFollower implements LinkListener {
         link.close();
     }
 
-    /** What the person may do, as of the last login. From any thread. */
+    /** What the person may do, as its server said last. From any thread. */
     PersonRights rights() {
         return rights;
     }
 
     @Override
     public void welcomed(JsonNode message) {
-        rights = PersonRights.of(message);
+        take(PersonRights.of(message), copy().isPresent());
         ObjectNode follow = ServerRequests.message("follow");
         copy().filter(known -> !known.id().isEmpty())
                 .ifPresent(known -> follow.put("session", known.id()).put("after", known.reached()));
@@ -143,6 +143,7 @@ final class SessionFollower implements LinkListener {
                     known.rows(message);
                     shown.complete(known);
                 });
+            case "rights" -> take(PersonRights.of(message), true);
             case "news" -> {
                 if (!message.path("by").asText().equals(login.name())) {
                     listener.news(message.path("text").asText());
@@ -151,6 +152,14 @@ final class SessionFollower implements LinkListener {
             default -> {
                 // this version does not need it
             }
+        }
+    }
+
+    private void take(PersonRights now, boolean tell) {
+        boolean other = !now.equals(rights);
+        rights = now;
+        if (other && tell) {
+            listener.rights(now);
         }
     }
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalTime;
 import java.util.ArrayList;
@@ -114,6 +115,11 @@ class RemoteSessionTest {
         @Override
         public void ended(String why) {
             lines.add("ended: " + why);
+        }
+
+        @Override
+        public void rights(PersonRights now) {
+            lines.add("role: " + now.role());
         }
 
         @Override
@@ -310,6 +316,19 @@ class RemoteSessionTest {
         people.remove("anna");
 
         assertThat(heard.next()).isEqualTo("ended: anna was removed from this session");
+    }
+
+    @Test
+    void rightsAreThoseOfTheRoleThatIsListedNow() throws Exception {
+        Heard heard = new Heard();
+        RemoteSession anna = open(server.listensAt().getPort(), "anna", "key of anna", heard);
+        assertThat(anna.rights().has("start")).isTrue();
+
+        Path file = people.file();
+        Files.writeString(file, Files.readString(file).replaceFirst("\"operator\"", "\"pilot\"")); // anna's is first
+
+        assertThat(heard.next()).isEqualTo("role: pilot");
+        assertThat(anna.rights().rights()).containsExactlyInAnyOrder("stop", "answer", "press", "drive");
     }
 
     @Test

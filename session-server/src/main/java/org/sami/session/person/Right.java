@@ -13,7 +13,9 @@ public enum Right {
     /** Start and abort missions. */
     START,
     /** Drive boats by hand. */
-    DRIVE;
+    DRIVE,
+    /** Set up boats: the settings in force on them. */
+    SETUP;
 
     /** Its name in messages. */
     public String word() {

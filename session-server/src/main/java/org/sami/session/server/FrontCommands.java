@@ -21,6 +21,7 @@ final class FrontCommands {
     private final Session session;
     private final HandDriving hand;
     private final FleetCommands fleet;
+    private final SettingCommands settings;
     private final InputCommands inputs;
     private final PeopleAnswers answering;
     private final AnswerReader answers;
@@ -31,6 +32,7 @@ final class FrontCommands {
         answering = new PeopleAnswers(session, settled, news);
         inputs = new InputCommands(session, answering, news);
         fleet = new FleetCommands(session.fleet(), news);
+        settings = new SettingCommands(session.fleet(), news);
         this.hand = hand;
         this.news = news;
         answers = new AnswerReader(session.setup().vocabulary().types());
@@ -62,6 +64,7 @@ final class FrontCommands {
             case "stopFleet" -> fleet.stopAll(person);
             case "releaseFleet" -> fleet.releaseAll(person);
             case "boat" -> fleet.carryOut(person, message);
+            case "set" -> settings.carryOut(person, message);
             case "draft" -> inputs.judge(message);
             case "input" -> inputs.carryOut(person, message);
             case "again" -> {

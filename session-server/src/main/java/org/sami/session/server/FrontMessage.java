@@ -59,6 +59,7 @@ record FrontMessage(String type, long id, JsonNode body) {
             Map.entry("draft", Set.of("input")),
             Map.entry("again", Set.of("mission")),
             Map.entry("boat", Set.of("do", "boat", "client", "command", "address", "lat", "lon", "count")),
+            Map.entry("set", Set.of("boat", "setting", "p", "i", "d", "multiplier", "action")),
             Map.entry("note", Set.of("text", "lat", "lon")),
             Map.entry("ping", Set.of()));
 

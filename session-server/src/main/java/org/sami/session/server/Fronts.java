@@ -1,8 +1,5 @@
 package org.sami.session.server;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -169,7 +166,7 @@ final class Fronts implements AutoCloseable {
             bye(front);
             return;
         }
-        front.login(person.get());
+        listed(front, earlier, person.get());
         try {
             CompletionStage<CommandReply> carriedOut = message.type().equals("follow")
                     ? following.follow(front, message)
@@ -233,26 +230,23 @@ final class Fronts implements AutoCloseable {
     private void welcome(Front front, Person person) {
         session.ask(view -> List.copyOf(view.project().plans()))
                 .thenAccept(plans -> execute(() -> {
-                    ObjectNode welcome = JsonNodeFactory.instance.objectNode();
-                    welcome.put("t", "welcome").put("v", VERSION);
-                    welcome.put("name", person.name()).put("role", person.role().word());
-                    ArrayNode rights = welcome.putArray("rights");
-                    person.role().rights().forEach(right -> rights.add(right.word()));
-                    welcome.put("now", session.scheduler().nowMs()).put("robots", robots.word());
-                    ArrayNode offered = welcome.putArray("plans");
-                    plans.forEach(
-                            plan -> offered.addObject().put("id", plan.id()).put("title", plan.name()));
-                    front.send(welcome.toString());
+                    front.send(PersonMessages.welcome(
+                                    person, VERSION, session.scheduler().nowMs(), robots.word(), plans)
+                            .toString());
                     front.login(person);
                 }));
     }
 
+    /** A person as listed now; tells its front of another role. */
+    private static void listed(Front front, Person earlier, Person now) {
+        front.login(now);
+        if (now.role() != earlier.role()) {
+            front.send(PersonMessages.rights(now).toString());
+        }
+    }
+
     private void bye(Front front) {
-        front.send(JsonNodeFactory.instance
-                .objectNode()
-                .put("t", "bye")
-                .put("text", front.name() + " was removed from this session")
-                .toString());
+        front.send(PersonMessages.bye(front.name()).toString());
         front.end(StatusCode.POLICY_VIOLATION, "removed");
     }
 
@@ -292,7 +286,7 @@ final class Fronts implements AutoCloseable {
         Optional<Person> person = front.person();
         if (person.isPresent()) {
             Optional<Person> present = people.present(person.get());
-            present.ifPresentOrElse(front::login, () -> bye(front));
+            present.ifPresentOrElse(now -> listed(front, person.get(), now), () -> bye(front));
         } else if (front.silentMillis() > HELLO_MS) {
             front.end(StatusCode.POLICY_VIOLATION, "no hello");
         }

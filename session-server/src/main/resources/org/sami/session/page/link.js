@@ -99,6 +99,11 @@ export class Link {
           reply?.(message);
         }
         break;
+      case 'rights':
+        this.welcome.role = message.role;
+        this.welcome.rights = message.rights;
+        this.listener.news(`Your role in this session is ${message.role} now`);
+        break;
       case 'bye':
         this.leave(message.text);
         break;

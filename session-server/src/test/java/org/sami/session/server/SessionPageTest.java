@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -86,6 +87,19 @@ class SessionPageTest {
         browser.click("#panel button.row");
 
         browser.until("document.querySelector('.decision .draw output').textContent === '1 point'");
+    }
+
+    @Test
+    void pageFollowsARoleThatIsChangedMeanwhile() throws Exception {
+        page.join();
+        browser.click("#tabs button:nth-child(3)");
+        browser.until("document.querySelector('#panel .start button.main') !== null");
+
+        Path people = folder.resolve("people");
+        Files.writeString(people, Files.readString(people).replace("operator", "observer"));
+
+        browser.until("document.getElementById('state').textContent.includes('anna (observer)')");
+        browser.until("document.querySelector('#panel .start') === null");
     }
 
     @Test

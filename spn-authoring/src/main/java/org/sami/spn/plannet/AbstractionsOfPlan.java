@@ -37,7 +37,7 @@ final class AbstractionsOfPlan {
             transition(plan, t);
         }
         List<String> copied = work.team().stream()
-                .filter(work.possible()::isCopied)
+                .filter(work.possible()::isLoose)
                 .filter(token -> !token.equals(PlanToken.GENERIC))
                 .map(PlanToken::label)
                 .toList();

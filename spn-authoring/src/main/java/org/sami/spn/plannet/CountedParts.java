@@ -1,6 +1,7 @@
 package org.sami.spn.plannet;
 
 import java.util.List;
+import java.util.Set;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 
@@ -14,19 +15,12 @@ record CountedParts(List<List<TokenOption>> options, PossibleTokens possible, Pl
         options = List.copyOf(options);
     }
 
-    /** Where all robots stand at first; empty text where they stand nowhere. */
-    String start() {
+    /** Where all robots stand at first; none where they stand nowhere. */
+    Set<String> start() {
         return plan.startPlace()
                 .map(Place::id)
                 .filter(place -> possible.comes(place, PlanToken.ROBOTS))
-                .orElse("");
-    }
-
-    /** The in places of a transition in which no robot stands that is said to be in none of them. */
-    List<String> watchedBy(String transition) {
-        return plan.transition(transition).stream()
-                .flatMap(t -> possible.spots(t, PlanToken.ROBOTS).stream())
-                .filter(place -> !possible.hasSub(place))
-                .toList();
+                .map(Set::of)
+                .orElse(Set.of());
     }
 }

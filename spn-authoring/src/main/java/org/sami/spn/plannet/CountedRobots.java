@@ -33,21 +33,18 @@ final class CountedRobots {
             return Optional.of(arcs);
         }
         Map<String, Integer> here = new TreeMap<>();
-        long absent = robots.stream().filter(TokenOption::isAbsent).count();
         boolean isOneAnywhere = false;
         for (TokenOption robot : robots) {
             robot.present.forEach(place -> here.merge(place, 1, Integer::sum));
             arcs.joinChanges(robot.arcs);
             isOneAnywhere |= robot.isAnywhere;
         }
-        if (isOneAnywhere && robots.stream().anyMatch(robot -> robot.isAbsent() && !robot.isNamed)) {
-            return Optional.empty(); // it may be anywhere as well
+        if (isOneAnywhere && robots.stream().anyMatch(robot -> robot.isAbsent() && robot.isStill())) {
+            return Optional.empty(); // it may be anywhere as well: whether it is named changes nothing then
         }
         here.forEach((place, count) -> arcs.atLeast(at(place), count));
-        if (absent > 0 && !isOneAnywhere) {
+        if (!isOneAnywhere) {
             spots.forEach(place -> arcs.below(at(place), here.getOrDefault(place, 0) + 1));
-        } else if (absent > 0 && spots.size() == 1) {
-            arcs.below(at(spots.get(0)), robots.size() - (int) absent + 1);
         }
         return Optional.of(arcs);
     }

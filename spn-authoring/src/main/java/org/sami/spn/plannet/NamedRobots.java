@@ -18,8 +18,8 @@ final class NamedRobots {
     private final PlanNet net;
     private final CountedParts counted;
 
-    /** Where each robot stands; empty text where it stands nowhere. */
-    private final Map<String, String> at = new LinkedHashMap<>();
+    /** The places in which each robot stands. */
+    private final Map<String, Set<String>> at = new LinkedHashMap<>();
 
     NamedRobots(PlanNet net, CountedParts counted) {
         this.net = net;
@@ -41,25 +41,25 @@ final class NamedRobots {
 
     private PlanNetFiring fired(int transition) {
         PlanNetFiring firing = net.firing(transition);
-        List<String> watched = counted.watchedBy(firing.transition());
         List<String> named = new ArrayList<>();
         List<PlanNetMove> moves = new ArrayList<>();
         Set<String> used = new HashSet<>();
         List<TokenOption> options = counted.options().get(transition).stream()
                 .filter(option -> !option.isAnywhere)
-                .sorted(Comparator.comparing(TokenOption::isAbsent))
+                .sorted(Comparator.comparing((TokenOption option) -> option.standing.isEmpty())
+                        .thenComparing(TokenOption::isAbsent)) // who is nowhere else is absent
                 .toList();
-        Map<String, String> to = new LinkedHashMap<>(at);
+        Map<String, Set<String>> to = new LinkedHashMap<>(at);
         for (TokenOption option : options) {
-            String robot = free(used, option.isAbsent() ? place -> !watched.contains(place) : option.present::contains);
+            String robot = free(used, standing -> fits(option, standing));
             used.add(robot);
             if (option.isNamed) {
                 named.add(robot);
             }
             for (PlanNetMove move : option.moves) {
                 moves.add(new PlanNetMove(robot, move.from(), move.to()));
-                to.put(robot, move.to());
             }
+            to.put(robot, option.after(at.getOrDefault(robot, Set.of())));
         }
         at.putAll(to);
         List<PlanNetMove> all = new ArrayList<>(firing.moves().stream()
@@ -72,7 +72,11 @@ final class NamedRobots {
         return new PlanNetFiring(firing.transition(), named, all, firing.ends());
     }
 
-    private String free(Set<String> used, Predicate<String> where) {
+    private static boolean fits(TokenOption option, Set<String> standing) {
+        return option.standing.map(standing::equals).orElseGet(() -> standing.containsAll(option.present));
+    }
+
+    private String free(Set<String> used, Predicate<Set<String>> where) {
         return at.entrySet().stream()
                 .filter(robot -> !used.contains(robot.getKey()) && where.test(robot.getValue()))
                 .map(Map.Entry::getKey)
@@ -88,11 +92,8 @@ final class NamedRobots {
                         tokens.computeIfAbsent(place, p -> new TreeMap<>()).put(token, count);
                     }
                 }));
-        at.forEach((robot, place) -> {
-            if (!place.isEmpty()) {
-                tokens.computeIfAbsent(place, p -> new TreeMap<>()).put(robot, 1);
-            }
-        });
+        at.forEach((robot, standing) -> standing.forEach(
+                place -> tokens.computeIfAbsent(place, p -> new TreeMap<>()).put(robot, 1)));
         return new PlanMarking(tokens, marking.nobody(), marking.running());
     }
 }

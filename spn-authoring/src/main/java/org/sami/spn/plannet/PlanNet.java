@@ -33,6 +33,7 @@ public final class PlanNet {
     private final List<Abstraction> abstractions;
     private final int beyond;
     private final Optional<CountedParts> counted;
+    private final Optional<BitSet> sure;
 
     PlanNet(
             PlanNetRequest request,
@@ -41,7 +42,8 @@ public final class PlanNet {
             List<PlanNetFiring> firings,
             List<Abstraction> abstractions,
             int beyond,
-            Optional<CountedParts> counted) {
+            Optional<CountedParts> counted,
+            Optional<BitSet> sure) {
         this.request = request;
         this.net = net;
         this.places = List.copyOf(places);
@@ -49,6 +51,7 @@ public final class PlanNet {
         this.abstractions = List.copyOf(abstractions);
         this.beyond = beyond;
         this.counted = counted;
+        this.sure = sure.map(all -> (BitSet) all.clone());
     }
 
     /**
@@ -58,32 +61,78 @@ public final class PlanNet {
      * @throws IllegalArgumentException if there is no such plan, or it has no start place
      */
     public static PlanNet of(PlanNetRequest request) throws PlanNetTooLargeException {
-        return new PlanTranslation(request, false).translate();
+        return new PlanTranslation(request, RobotView.NAMED).translate().orElseThrow();
     }
 
     /**
      * The net of a plan in which robots are counted and not named: far smaller with many robots, and with the same graph up to an exchange of robots.
      *
-     * @return empty where there are fewer than two robots, or there can be several copies of one
+     * @return empty where there are fewer than two robots, several copies of one can be in one place, or copies can be in many sets of places
      * @throws PlanNetTooLargeException if it would have more transitions than asked for
      * @throws IllegalArgumentException if there is no such plan, or it has no start place
      */
     public static Optional<PlanNet> counted(PlanNetRequest request) throws PlanNetTooLargeException {
-        PlanTranslation translation = new PlanTranslation(request, true);
-        return request.robots().size() < 2 || translation.copiesRobots()
-                ? Optional.empty()
-                : Optional.of(translation.translate());
+        PlanTranslation translation = new PlanTranslation(request, RobotView.COUNTED);
+        return request.robots().size() < 2 || translation.losesCount() ? Optional.empty() : translation.translate();
     }
 
     /**
-     * The net of a plan in which robots are counted where that can be, else named.
+     * A net of a plan that follows only whether any robots are in a place: with all robots as small as with one. It does more than the net that names them. Each marking of
+     * that net has its image here, and so has each firing; {@link #sure} are those that it can do from each marking with the same image.
+     *
+     * @return empty where there are fewer than two robots, or several copies of one cannot be in one place
+     * @throws PlanNetTooLargeException if it would have more transitions than asked for
+     * @throws IllegalArgumentException if there is no such plan, or it has no start place
+     */
+    public static Optional<PlanNet> present(PlanNetRequest request) throws PlanNetTooLargeException {
+        PlanTranslation translation = new PlanTranslation(request, RobotView.PRESENT);
+        return request.robots().size() < 2 || !translation.losesCount() ? Optional.empty() : translation.translate();
+    }
+
+    /**
+     * The net of a plan in which robots are counted where that can be; with several robots else one that follows whether any are in a place; else one that names them.
      *
      * @throws PlanNetTooLargeException if it would have more transitions than asked for
      * @throws IllegalArgumentException if there is no such plan, or it has no start place
      */
     public static PlanNet smallest(PlanNetRequest request) throws PlanNetTooLargeException {
         Optional<PlanNet> counted = counted(request);
-        return counted.isPresent() ? counted.get() : of(request);
+        return counted.isPresent() ? counted.get() : presentOrNamed(request);
+    }
+
+    private static PlanNet presentOrNamed(PlanNetRequest request) throws PlanNetTooLargeException {
+        try {
+            Optional<PlanNet> present = present(request);
+            return present.isPresent() ? present.get() : of(request);
+        } catch (PlanNetTooLargeException tooLarge) {
+            return of(request);
+        }
+    }
+
+    /** Whether it follows only whether any robots are in a place: then it does more than the net that names them. */
+    public boolean isPresent() {
+        return sure.isPresent();
+    }
+
+    /** The transitions that the net with names can do from each marking that is meant, with the same effect: all of them but where {@link #isPresent}. */
+    public BitSet sure() {
+        BitSet all = new BitSet();
+        all.set(0, net.transitionCount());
+        return sure.map(some -> (BitSet) some.clone()).orElse(all);
+    }
+
+    /** The places that say only whether there are robots; empty but where {@link #isPresent}. */
+    public BitSet presence() {
+        BitSet found = new BitSet();
+        for (int i = 0; i < places.size() && isPresent(); i++) {
+            found.set(i, isRobot(places.get(i).token()));
+        }
+        return found;
+    }
+
+    /** Whether each robot has places of its own. */
+    public boolean hasNames() {
+        return !isCounted() && !isPresent();
     }
 
     /** Whether robots are counted and not named. */
@@ -93,7 +142,7 @@ public final class PlanNet {
 
     /** Whether the token that a place of the net stands for is a robot, or stands for robots. */
     public boolean isRobot(String token) {
-        return isCounted() ? token.equals(ROBOTS) : request.robots().contains(token);
+        return !hasNames() ? token.equals(ROBOTS) : request.robots().contains(token);
     }
 
     /** The net with its initial marking. */
@@ -104,7 +153,7 @@ public final class PlanNet {
     /** Ways to exchange two robots, or two tasks that are made, next to each other: for each the place that each place is exchanged for. */
     public List<int[]> exchanges() {
         List<int[]> exchanges = new ArrayList<>();
-        List<String> robots = isCounted() ? List.of() : request.robots();
+        List<String> robots = hasNames() ? request.robots() : List.of();
         for (int i = 0; i + 1 < robots.size(); i++) {
             exchanges.add(exchange(robots.get(i), robots.get(i + 1)));
         }

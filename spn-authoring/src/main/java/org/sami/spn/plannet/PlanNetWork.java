@@ -1,6 +1,7 @@
 package org.sami.spn.plannet;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +15,8 @@ final class PlanNetWork {
     private final PlanNetRequest request;
     private final Plan plan;
     private final List<PlanToken> team;
+    private final RobotView view;
+    private final BitSet sure = new BitSet();
     private final PossibleTokens possible;
     private final PetriNetBuilder net;
     private final MissionPlaces places;
@@ -22,13 +25,19 @@ final class PlanNetWork {
     private final List<List<TokenOption>> counted = new ArrayList<>();
     private final Map<String, Integer> ids = new HashMap<>();
 
-    PlanNetWork(PlanNetRequest request, Plan plan, List<PlanToken> team) {
+    PlanNetWork(PlanNetRequest request, Plan plan, List<PlanToken> team, RobotView view) {
         this.request = request;
         this.plan = plan;
         this.team = team;
+        this.view = view;
         possible = new PossibleTokens(request.project(), request.vocabulary(), plan, team);
         net = new PetriNetBuilder(plan.title());
-        places = new MissionPlaces(net, plan, team, possible, request.robots().size());
+        places = new MissionPlaces(
+                net,
+                plan,
+                team,
+                possible,
+                view == RobotView.PRESENT ? 1 : request.robots().size());
         beyond = places.control("beyond", "more tokens at once than the net follows", 0);
     }
 
@@ -42,6 +51,20 @@ final class PlanNetWork {
 
     List<PlanToken> team() {
         return team;
+    }
+
+    RobotView view() {
+        return view;
+    }
+
+    /** The transition that was added last surely can fire where the net says so. */
+    void isSure() {
+        sure.set(firings.size() - 1);
+    }
+
+    /** The transitions that surely can fire where the net says so. */
+    BitSet sure() {
+        return sure;
     }
 
     PossibleTokens possible() {

@@ -5,6 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -14,28 +16,27 @@ import org.sami.spn.vocabulary.EventRole;
 /** Makes the net of a plan. For one use. */
 final class PlanTranslation {
     private final PlanNetRequest request;
-    private final boolean isCounted;
+    private final RobotView view;
     private final Plan plan;
     private final PlanNetWork work;
     private final AbstractionList abstractions = new AbstractionList();
 
-    /** @param isCounted whether robots are counted and not named */
-    PlanTranslation(PlanNetRequest request, boolean isCounted) {
+    PlanTranslation(PlanNetRequest request, RobotView view) {
         this.request = request;
-        this.isCounted = isCounted;
+        this.view = view;
         plan = request.project()
                 .plan(request.plan())
                 .orElseThrow(() -> new IllegalArgumentException("there is no plan \"" + request.plan() + "\""));
         if (plan.startPlace().isEmpty()) {
             throw new IllegalArgumentException("the plan \"" + plan.title() + "\" has no start place");
         }
-        work = new PlanNetWork(request, plan, team());
+        work = new PlanNetWork(request, plan, team(), view);
     }
 
     private List<PlanToken> team() {
         List<PlanToken> team = new ArrayList<>();
         team.add(PlanToken.GENERIC);
-        if (isCounted) {
+        if (view != RobotView.NAMED) {
             team.add(PlanToken.ROBOTS);
         } else {
             request.robots().forEach(robot -> team.add(PlanToken.robot(robot)));
@@ -63,14 +64,21 @@ final class PlanTranslation {
                         .isPresent());
     }
 
-    /** Whether there can be several of one robot: then its places are not where it stands but where it is at least once. */
-    boolean copiesRobots() {
-        return work.team().stream()
-                .anyMatch(token ->
-                        token.type() == TokenType.PROXY && work.possible().isCopied(token));
+    /** Whether several of one robot can be in one place: then its places are not where it stands but where it is at least once. */
+    boolean losesCount() {
+        return robots().anyMatch(work.possible()::isLoose);
     }
 
-    PlanNet translate() throws PlanNetTooLargeException {
+    private Stream<PlanToken> robots() {
+        return work.team().stream().filter(token -> token.type() == TokenType.PROXY);
+    }
+
+    /**
+     * Makes the net.
+     *
+     * @return empty where robots are to be counted that are copied into too many sets of places
+     */
+    Optional<PlanNet> translate() throws PlanNetTooLargeException {
         InConditions conditions = new InConditions(work.places(), work.possible(), abstractions);
         Map<Transition, List<CaseArcs>> of = new LinkedHashMap<>();
         for (Transition t : plan.transitions()) {
@@ -82,17 +90,44 @@ final class PlanTranslation {
                 work.places().addOccasion(t.id(), atStart);
             }
         }
-        for (Map.Entry<Transition, List<CaseArcs>> entry : of.entrySet()) {
-            new TransitionCases(work, entry.getKey(), entry.getValue()).add();
+        Map<Transition, TransitionCases> cases = new LinkedHashMap<>();
+        of.forEach((t, alternatives) -> cases.put(t, new TransitionCases(work, t, alternatives)));
+        Optional<RobotProfiles> profiles = Optional.empty();
+        if (view == RobotView.COUNTED && robots().anyMatch(work.possible()::isCopied)) {
+            profiles = profiles(cases);
+            if (profiles.isEmpty()) {
+                return Optional.empty();
+            }
+        }
+        for (TransitionCases each : cases.values()) {
+            if (view == RobotView.PRESENT) {
+                each.addByPresence();
+            } else {
+                each.add(profiles);
+            }
         }
         new AbstractionsOfPlan(work, abstractions).list();
-        return new PlanNet(
+        return Optional.of(new PlanNet(
                 request,
                 work.build(),
                 work.places().all(),
                 work.firings(),
                 abstractions.all(),
                 work.beyond(),
-                isCounted ? Optional.of(new CountedParts(work.counted(), work.possible(), plan)) : Optional.empty());
+                view == RobotView.COUNTED
+                        ? Optional.of(new CountedParts(work.counted(), work.possible(), plan))
+                        : Optional.empty(),
+                view == RobotView.PRESENT ? Optional.of(work.sure()) : Optional.empty()));
+    }
+
+    private Optional<RobotProfiles> profiles(Map<Transition, TransitionCases> cases) {
+        Map<Transition, List<TokenOption>> options = new LinkedHashMap<>();
+        cases.forEach((t, each) -> options.put(t, each.options(PlanToken.ROBOTS)));
+        Set<String> start = plan.startPlace()
+                .map(Place::id)
+                .filter(place -> work.possible().comes(place, PlanToken.ROBOTS))
+                .map(Set::of)
+                .orElse(Set.of());
+        return RobotProfiles.of(start, options, work.possible(), work.places(), work.robots());
     }
 }

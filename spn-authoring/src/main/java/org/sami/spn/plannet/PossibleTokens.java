@@ -25,13 +25,15 @@ import org.sami.spn.vocabulary.Vocabulary;
  * Which tokens can come to which place, whoever may be named, and which of them can never be copied. A bound from above that follows requirements and no
  * numbers. Immutable.
  */
-final class PossibleTokens {
+final class PossibleTokens implements TokenWays {
     private final Project project;
     private final Plan plan;
     private final Vocabulary vocabulary;
     private final Map<String, Set<PlanToken>> at = new HashMap<>();
     private final Set<String> byNobody = new HashSet<>();
     private final Set<PlanToken> copied = new HashSet<>();
+    /** Of copied tokens that never stand in one place twice: groups of places of which one at most has the token. */
+    private final Map<PlanToken, List<Set<String>>> single = new HashMap<>();
 
     PossibleTokens(Project project, Vocabulary vocabulary, Plan plan, Collection<PlanToken> all) {
         this.project = project;
@@ -58,6 +60,11 @@ final class PossibleTokens {
                 copied.add(token);
             }
         }
+        SinglePlaces singles =
+                new SinglePlaces(plan, this, all.stream().anyMatch(token -> token.type() == TokenType.TASK));
+        copied.stream()
+                .filter(token -> token.type() != TokenType.GENERIC && !token.isMade())
+                .forEach(token -> singles.groups(token).ifPresent(groups -> single.put(token, groups)));
     }
 
     private boolean isEnd(String place) {
@@ -90,8 +97,8 @@ final class PossibleTokens {
         return makes(r, t, token) || (covers(r, t, token) && isInPool(t, token));
     }
 
-    /** Whether a requirement can add a token that stands in no in place. */
-    boolean makes(OutRequirement r, Transition t, PlanToken token) {
+    @Override
+    public boolean makes(OutRequirement r, Transition t, PlanToken token) {
         boolean isGeneric = token.type() == TokenType.GENERIC;
         if (r.kind() == TokenKind.SUB_MISSION_TOKENS && r.action() != Action.CONSUME) {
             return madeByChildren(t).contains(token.type());
@@ -114,8 +121,8 @@ final class PossibleTokens {
                                 .isPresent());
     }
 
-    /** Whether a requirement can select a token of the pool. */
-    boolean covers(OutRequirement r, Transition t, PlanToken token) {
+    @Override
+    public boolean covers(OutRequirement r, Transition t, PlanToken token) {
         return switch (r.kind()) {
             case RELEVANT -> token.type() != TokenType.GENERIC && !t.inputs().isEmpty() && !makesTasks(t);
             case TASK -> token.isTask(r.task());
@@ -189,12 +196,13 @@ final class PossibleTokens {
                 .forEach(r -> made.addAll(TokenType.of(r.kind())));
     }
 
-    boolean hasSub(String place) {
+    @Override
+    public boolean hasSub(String place) {
         return plan.place(place).filter(p -> !p.subMissions().isEmpty()).isPresent();
     }
 
-    /** Whether a token can stand in a place. */
-    boolean comes(String place, PlanToken token) {
+    @Override
+    public boolean comes(String place, PlanToken token) {
         return at.getOrDefault(place, Set.of()).contains(token);
     }
 
@@ -208,8 +216,19 @@ final class PossibleTokens {
         return copied.contains(token);
     }
 
-    /** The in places of a transition in which a token can stand when it fires, each once, in the order of its edges. */
-    List<String> spots(Transition t, PlanToken token) {
+    /** Whether several of a token may stand in one place. */
+    boolean isLoose(PlanToken token) {
+        return isCopied(token) && !single.containsKey(token);
+    }
+
+    /** Whether a token may stand in all of these places at once. */
+    boolean canStand(PlanToken token, Collection<String> places) {
+        return single.getOrDefault(token, List.of()).stream()
+                .allMatch(group -> places.stream().filter(group::contains).count() <= 1);
+    }
+
+    @Override
+    public List<String> spots(Transition t, PlanToken token) {
         return plan.inEdgesOf(t.id()).stream()
                 .map(edge -> edge.place())
                 .distinct()

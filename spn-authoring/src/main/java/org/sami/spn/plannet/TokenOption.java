@@ -3,6 +3,7 @@ package org.sami.spn.plannet;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -17,6 +18,8 @@ final class TokenOption {
     final boolean isKnown;
     /** Whether nothing is supposed of it, and nothing is done with it. */
     final boolean isAnywhere;
+    /** All places in which it stands, where robots are counted by these; else empty. */
+    final Optional<Set<String>> standing;
     /** The level at which requirements with numbers select it, by group; 0 where they do not. */
     final Map<String, Integer> levels = new TreeMap<>();
 
@@ -30,25 +33,37 @@ final class TokenOption {
     final Set<String> left = new TreeSet<>();
 
     TokenOption(PlanToken token, boolean isNamed, List<String> present, boolean isKnown) {
-        this(token, isNamed, present, isKnown, false);
+        this(token, isNamed, present, isKnown, false, Optional.empty());
     }
 
-    private TokenOption(PlanToken token, boolean isNamed, List<String> present, boolean isKnown, boolean isAnywhere) {
+    private TokenOption(
+            PlanToken token,
+            boolean isNamed,
+            List<String> present,
+            boolean isKnown,
+            boolean isAnywhere,
+            Optional<Set<String>> standing) {
         this.token = token;
         this.isNamed = isNamed;
         this.present = present;
         this.isKnown = isKnown;
         this.isAnywhere = isAnywhere;
+        this.standing = standing;
     }
 
     /** Not named, wherever it stands. */
     static TokenOption anywhere(PlanToken token, boolean isKnown) {
-        return new TokenOption(token, false, List.of(), isKnown, true);
+        return new TokenOption(token, false, List.of(), isKnown, true, Optional.empty());
     }
 
     /** In none of the in places, as far as these tell. */
     boolean isAbsent() {
         return !isAnywhere && present.isEmpty();
+    }
+
+    /** Whether nothing is done with it. */
+    boolean isStill() {
+        return left.isEmpty() && edges.isEmpty();
     }
 
     /** The same suppositions; effects are to be filled in. */
@@ -57,5 +72,25 @@ final class TokenOption {
         again.levels.putAll(levels);
         again.arcs.join(arcs);
         return again;
+    }
+
+    /** The same with its effects, of a token that stands in just these places. */
+    TokenOption standingIn(Set<String> places) {
+        TokenOption same = new TokenOption(token, isNamed, present, isKnown, isAnywhere, Optional.of(places));
+        same.levels.putAll(levels);
+        same.arcs.join(arcs);
+        same.moves.addAll(moves);
+        same.edges.addAll(edges);
+        same.removed.addAll(removed);
+        same.left.addAll(left);
+        return same;
+    }
+
+    /** Where it stands afterwards if it stood in these places. */
+    Set<String> after(Set<String> before) {
+        Set<String> after = new TreeSet<>(before);
+        after.removeAll(left);
+        moves.stream().map(PlanNetMove::to).filter(to -> !to.isEmpty()).forEach(after::add);
+        return Set.copyOf(after);
     }
 }

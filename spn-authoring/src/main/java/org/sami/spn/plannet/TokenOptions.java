@@ -101,7 +101,7 @@ final class TokenOptions {
 
     /** Whether a token of which there may be several goes wherever it stands, and nothing depends on where. */
     private boolean isTakenAnywhere(PlanToken token, List<String> spots) {
-        return possible.isCopied(token)
+        return possible.isLoose(token)
                 && spots.stream().noneMatch(possible::hasSub)
                 && selections.all().stream()
                         .anyMatch(s -> s.removes()
@@ -170,7 +170,9 @@ final class TokenOptions {
                 for (List<String> standing : standings) {
                     List<String> one = new ArrayList<>(standing);
                     one.add(spot);
-                    more.add(one);
+                    if (possible.canStand(token, one)) {
+                        more.add(one);
+                    }
                 }
                 standings.addAll(more);
             } else {
@@ -234,14 +236,14 @@ final class TokenOptions {
                 }
             }
         }
-        for (List<String> left : leavings(option, removed, surely)) {
+        for (List<String> left : leavings(option, removed, surely, isReturned)) {
             TokenOption one = option.again();
             one.edges.addAll(edges);
             one.left.addAll(left);
             one.removed.addAll(removed ? option.present : List.of());
             for (String place : left) {
                 int at = places.of(place, one.token).getAsInt();
-                if (possible.isCopied(one.token)) {
+                if (possible.isLoose(one.token)) {
                     one.arcs.empty(at);
                 } else {
                     one.arcs.remove(at, 1);
@@ -274,10 +276,12 @@ final class TokenOptions {
     }
 
     /** From which places it goes: of several copies some can stay where only a number of them is taken, or some are in a sub-mission. */
-    private List<List<String>> leavings(TokenOption option, boolean removed, boolean surely) {
+    private List<List<String>> leavings(TokenOption option, boolean removed, boolean surely, boolean isReturned) {
         if (!removed) {
             return List.of(List.of());
         }
+        boolean isOnce = !possible.isLoose(option.token);
+        boolean isMade = isReturned && option.present.stream().noneMatch(possible::hasSub);
         if (!possible.isCopied(option.token)) {
             return List.of(option.present);
         }
@@ -292,6 +296,9 @@ final class TokenOptions {
             }
             leavings = next;
         }
+        if (isOnce && !isMade) {
+            leavings.remove(List.of()); // one that is selected goes from somewhere
+        }
         return leavings;
     }
 
@@ -300,7 +307,7 @@ final class TokenOptions {
         for (int edge : option.edges) {
             String target = selections.target(edge);
             int at = places.of(target, option.token).getAsInt();
-            if (possible.isCopied(option.token)) {
+            if (possible.isLoose(option.token)) {
                 option.arcs.set(at);
             } else {
                 option.arcs.add(at, 1);
@@ -322,7 +329,7 @@ final class TokenOptions {
             }
         }
         return switch (r.match()) {
-            case ALL -> hasTasks ? named == 0 || here > 0 : here == named;
+            case ALL -> !hasTasks || named == 0 || here > 0; // without tasks each of them was asked for alone
             case ZERO -> here == 0;
             case LESS_THAN -> here < r.n();
             case EXACTLY -> here <= r.n() && (here == r.n() || here > 0);

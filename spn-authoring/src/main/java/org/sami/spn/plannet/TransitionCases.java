@@ -3,10 +3,13 @@ package org.sami.spn.plannet;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
@@ -20,7 +23,6 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
-import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.EventType;
 
@@ -29,6 +31,9 @@ import org.sami.spn.vocabulary.EventType;
  * matters, and each way to meet the requirements.
  */
 final class TransitionCases {
+    /** So many choices for all robots together are tried where it is followed whether any are there: a second or two. */
+    private static final int MOST_TRIED = 400_000;
+
     private final PlanNetWork work;
     private final Transition t;
     private final List<InEdge> ins;
@@ -37,16 +42,20 @@ final class TransitionCases {
     private final Set<String> watched;
     private final boolean mustHaveRelevant;
     private final boolean hasTasks;
-    private final CountedRobots countedRobots;
     private final Set<Object> known = new HashSet<>();
+    private final WakenedCases wakened;
+    private Function<List<TokenOption>, Optional<CaseArcs>> ofRobots;
+    private Optional<Map<Object, PresenceCases.Found>> found = Optional.empty();
     private int made;
+    private int tried;
 
     TransitionCases(PlanNetWork work, Transition t, List<CaseArcs> conditions) {
         this.work = work;
         this.t = t;
         this.conditions = conditions;
-        countedRobots = new CountedRobots(work.places(), work.possible(), t);
+        ofRobots = new CountedRobots(work.places(), work.possible(), t)::arcs;
         ins = work.plan().inEdgesOf(t.id());
+        wakened = new WakenedCases(work, t);
         selections = new Selections(t, work.plan().outEdgesOf(t.id()));
         watched = t.waitFor() == WaitFor.ALL && !t.inputs().isEmpty() ? watchedPlaces() : Set.of();
         mustHaveRelevant = isToldNames()
@@ -93,23 +102,73 @@ final class TransitionCases {
         return all;
     }
 
-    /** Adds the cases to the net. */
-    void add() throws PlanNetTooLargeException {
+    /** What can be with one token of a kind; nothing where the transition can never fire. */
+    List<TokenOption> options(PlanToken token) {
+        if (conditions.isEmpty()) {
+            return List.of();
+        }
         boolean speaks = requirements().stream().anyMatch(r -> r.kind() == TokenKind.RELEVANT)
                 || selections.all().stream().anyMatch(s -> s.isOf(TokenKind.RELEVANT));
+        return new TokenOptions(
+                        work.places(),
+                        work.possible(),
+                        t,
+                        selections,
+                        speaks,
+                        watched,
+                        ends() && work.view() != RobotView.PRESENT)
+                .of(token).stream()
+                        .filter(option -> !option.isNamed || SinglePlaces.mayBeNamed(ins, hasTasks, option.present))
+                        .toList();
+    }
+
+    /**
+     * Adds the cases to the net.
+     *
+     * @param profiles where robots are counted by the places in which they are
+     */
+    void add(Optional<RobotProfiles> profiles) throws PlanNetTooLargeException {
         if (conditions.isEmpty()) {
             return; // it can never fire
         }
-        TokenOptions options = new TokenOptions(work.places(), work.possible(), t, selections, speaks, watched, ends());
         List<List<TokenOption>> perToken = new ArrayList<>();
         for (PlanToken token : work.team()) {
             if (token.type() != TokenType.GENERIC) {
-                perToken.addAll(Collections.nCopies(work.count(token), options.of(token)));
+                List<TokenOption> options = options(token);
+                perToken.addAll(Collections.nCopies(
+                        work.count(token),
+                        profiles.isPresent() && token.equals(PlanToken.ROBOTS)
+                                ? profiles.get().expanded(t, options)
+                                : options));
             }
         }
-        List<GenericOption> generics =
-                new GenericOptions(work.places(), work.possible(), t, selections, work.robots(), work.beyond()).all();
-        choose(perToken, 0, 0, new ArrayList<>(), generics);
+        choose(perToken, 0, 0, new ArrayList<>(), generics());
+    }
+
+    private List<GenericOption> generics() {
+        return new GenericOptions(work.places(), work.possible(), t, selections, work.robots(), work.beyond()).all();
+    }
+
+    /** Adds the cases to a net that follows only whether any robot is in a place. */
+    void addByPresence() throws PlanNetTooLargeException {
+        if (conditions.isEmpty()) {
+            return; // it can never fire
+        }
+        PresenceCases presence = new PresenceCases(work, t);
+        List<List<TokenOption>> others = work.team().stream()
+                .filter(token -> token.type() == TokenType.TASK)
+                .map(this::options)
+                .toList();
+        List<GenericOption> generics = generics();
+        presence.add(title(), options(PlanToken.ROBOTS), (robots, standings) -> {
+            Map<Object, PresenceCases.Found> cases = new LinkedHashMap<>();
+            found = Optional.of(cases);
+            ofRobots = chosen -> presence.arcs(chosen, standings);
+            List<List<TokenOption>> perToken = new ArrayList<>(others);
+            perToken.addAll(robots);
+            choose(perToken, 0, 0, new ArrayList<>(), generics);
+            return cases;
+        });
     }
 
     /** Robots that are counted are all alike: their options are taken in one order only, from a number on. */
@@ -121,14 +180,18 @@ final class TransitionCases {
             List<GenericOption> generics)
             throws PlanNetTooLargeException {
         if (next == perToken.size()) {
+            if (found.isPresent() && ++tried > MOST_TRIED) {
+                throw new PlanNetTooLargeException("robots can share the in places of \"" + title()
+                        + "\" in too many ways: ask about fewer robots");
+            }
             if (isMet(chosen)) {
                 List<TokenOption> robots = chosen.stream()
                         .filter(o -> o.token.equals(PlanToken.ROBOTS))
                         .toList();
-                Optional<CaseArcs> ofRobots = countedRobots.arcs(robots);
-                if (ofRobots.isPresent()) { // else another case does the same and supposes less
+                Optional<CaseArcs> together = ofRobots.apply(robots);
+                if (together.isPresent()) { // else another case does the same and supposes less
                     for (GenericOption generic : generics) {
-                        join(chosen, robots, ofRobots.get(), generic);
+                        join(chosen, robots, together.get(), generic);
                     }
                 }
             }
@@ -173,7 +236,9 @@ final class TransitionCases {
     /** @param robots those of the chosen options that are of robots that are counted, with what they ask for together */
     private void join(List<TokenOption> chosen, List<TokenOption> robots, CaseArcs ofRobots, GenericOption generic)
             throws PlanNetTooLargeException {
-        boolean isLoose = chosen.stream().anyMatch(o -> work.possible().isCopied(o.token));
+        boolean isLoose = chosen.stream()
+                .anyMatch(o -> work.possible().isLoose(o.token)
+                        || (work.possible().isCopied(o.token) && o.present.size() > 1));
         if (!TokenOptions.fits(selections.numbers(), chosen, generic.picked, generic.more, isLoose)) {
             return;
         }
@@ -207,66 +272,12 @@ final class TransitionCases {
             }
         }
         for (CaseArcs ready : InConditions.both(List.of(arcs), conditions)) {
-            for (CaseArcs awake : wakened(ready)) {
+            for (CaseArcs awake : wakened.of(ready)) {
                 CaseArcs whole = awake.copy();
                 around(whole, entered, left, ends);
                 put(whole, new PlanNetFiring(t.id(), named, moves, ends), robots);
             }
         }
-    }
-
-    /** A transition with input events listens only while one of its in places is marked, or visited by nobody; its answer ends that visit. */
-    private List<CaseArcs> wakened(CaseArcs arcs) {
-        if (t.inputs().isEmpty() || ins.isEmpty() || waitsFor(EventRole.SUB_MISSION_ABORTED, EventRole.CHECK_RETURN)) {
-            return List.of(arcs);
-        }
-        List<CaseArcs> awake = new ArrayList<>();
-        List<String> inPlaces = ins.stream().map(InEdge::place).distinct().toList();
-        boolean isAwake = inPlaces.stream()
-                .anyMatch(place -> work.places().allIn(place).stream().anyMatch(arcs::needs));
-        if (isAwake) {
-            awake.add(arcs);
-        }
-        for (String place : inPlaces) {
-            if (!isAwake) {
-                for (int at : work.places().in(place).values()) {
-                    CaseArcs more = arcs.copy();
-                    more.atLeast(at, 1);
-                    awake.add(more);
-                }
-            }
-            work.places().nobody(place).ifPresent(nobody -> {
-                boolean asks = asks(place);
-                if (!isAwake && !(asks && !mayBeNews())) {
-                    CaseArcs more = arcs.copy();
-                    more.atLeast(nobody, 1);
-                    awake.add(more);
-                }
-                if (asks) {
-                    CaseArcs more = arcs.copy();
-                    more.remove(nobody, 1);
-                    awake.add(more);
-                }
-            });
-        }
-        return awake;
-    }
-
-    /** Whether an event of a place asks for one of its input events. */
-    private boolean asks(String place) {
-        return work.plan().place(place).stream()
-                .flatMap(p -> p.outputs().stream())
-                .flatMap(output -> work.vocabulary().event(output.type()).stream())
-                .anyMatch(type ->
-                        t.inputs().stream().anyMatch(input -> type.answers().contains(input.type())));
-    }
-
-    private boolean mayBeNews() {
-        return t.inputs().stream()
-                .anyMatch(input -> work.vocabulary()
-                        .event(input.type())
-                        .filter(type -> type.flags().contains(EventFlag.NEWS))
-                        .isPresent());
     }
 
     /** That the mission runs, the end, visits by nobody that end, and which transitions are to be looked at next. */
@@ -306,7 +317,14 @@ final class TransitionCases {
     }
 
     private void put(CaseArcs arcs, PlanNetFiring firing, List<TokenOption> robots) throws PlanNetTooLargeException {
-        if (arcs.isImpossible() || !known.add(arcs.key())) {
+        if (arcs.isImpossible()) {
+            return;
+        }
+        if (found.isPresent()) {
+            found.get().putIfAbsent(arcs.key(), new PresenceCases.Found(arcs, firing));
+            return;
+        }
+        if (!known.add(arcs.key())) {
             return;
         }
         work.putFiring(title(), firing, robots, arcs, ++made);

@@ -24,7 +24,7 @@ import org.sami.spn.plannet.PlanNetPlace.Role;
  * @param graph the states
  * @param gathering places of the plan whose generic tokens are not counted, as they gather: a state says only whether there are any
  * @param neverFired ids of transitions that fire in none of them, in the order of the plan
- * @param mostRobots how many robots stand in a place at once at most, by the place's id, in the order of the plan
+ * @param mostRobots how many robots stand in a place at once at most, by the place's id, in the order of the plan; empty where they are not counted
  */
 public record PlanFacts(
         ReachabilityGraph graph, List<String> gathering, List<String> neverFired, Map<String, Integer> mostRobots) {
@@ -61,7 +61,7 @@ public record PlanFacts(
                 .map(Transition::id)
                 .filter(id -> !fired.contains(id))
                 .toList();
-        return new PlanFacts(graph, gathering, never, mostRobots(net, plan, graph));
+        return new PlanFacts(graph, gathering, never, net.isPresent() ? Map.of() : mostRobots(net, plan, graph));
     }
 
     private static Map<String, Integer> mostRobots(PlanNet net, Plan plan, ReachabilityGraph graph) {

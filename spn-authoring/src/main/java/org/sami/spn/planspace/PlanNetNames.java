@@ -53,7 +53,7 @@ public final class PlanNetNames implements NetNames {
             case "tasks" -> Optional.of(tokens(place, token -> token.startsWith("#")));
             case "nobody" -> Optional.of(netPlaces(place, Role.NOBODY, token -> true));
             default -> {
-                if (net.isCounted() && robots.contains(of)) {
+                if (!net.hasNames() && robots.contains(of)) {
                     yield Optional.empty(); // robots have no names here
                 }
                 boolean isKnown = robots.contains(of)

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.sami.petri.coverability.SaturatedQueries;
 import org.sami.petri.coverability.SaturatedSearch;
+import org.sami.petri.coverability.WiderNet;
 import org.sami.petri.graph.FiringSequence;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.MarkingTest;
@@ -54,7 +55,8 @@ public final class PlanQueries {
     private int looked;
 
     /**
-     * Queries about a plan's net. Where it counts robots, queries that name one are asked of the net that names them.
+     * Queries about a plan's net. Where it counts robots, queries that name one are asked of the net that names them; where it follows only whether there are any, all
+     * queries that this does not answer.
      *
      * @param budget of each search
      */
@@ -73,7 +75,7 @@ public final class PlanQueries {
 
     /** Where robots are counted, and in a large net, the exchanges that are known are all that is looked for. */
     private NetSymmetry symmetry(PetriNet of) {
-        return net.isCounted() || of.transitionCount() > LARGE
+        return !net.hasNames() || of.transitionCount() > LARGE
                 ? NetSymmetry.of(of, net.exchanges())
                 : NetSymmetry.of(of);
     }
@@ -85,7 +87,7 @@ public final class PlanQueries {
             return Optional.empty();
         } catch (QueryFaultException fault) {
             try {
-                return net.isCounted() ? byName().fault(text) : Optional.of(fault.words());
+                return !net.hasNames() ? byName().fault(text) : Optional.of(fault.words());
             } catch (PlanNetTooLargeException tooLarge) {
                 return Optional.of(fault.words());
             }
@@ -103,6 +105,13 @@ public final class PlanQueries {
     /** All states up to an exchange of robots, as far as the budget goes; later queries are answered from them. Where tokens gather, up to how many there are. */
     public PlanFacts whole() {
         look(budget.states());
+        if (saturated.isEmpty() && net.isPresent()) {
+            try {
+                return byName().whole();
+            } catch (PlanNetTooLargeException tooLarge) {
+                return PlanFacts.of(net, runner.whole());
+            }
+        }
         return saturated.map(few -> PlanFacts.of(net, few)).orElseGet(() -> PlanFacts.of(net, runner.whole()));
     }
 
@@ -114,19 +123,19 @@ public final class PlanQueries {
         boolean isAll = states >= budget.states();
         looked = states;
         SaturatedSearch search = new SaturatedSearch(
-                net.net(),
+                new WiderNet(net.net(), net.presence(), net.sure()),
                 net.uncounted(),
                 new SearchBudget(states, budget.bytes(), budget.time()),
                 of -> of == net.net() ? symmetry : symmetry(of),
                 watch,
                 System::nanoTime);
         ReachabilityGraph graph = search.exact();
-        if (graph.found().isPresent()) {
+        if (graph.found().isPresent() || (net.isPresent() && graph.isComplete())) {
             saturated = search.saturated(graph);
-            if (saturated.isEmpty() && isAll) {
+            if (saturated.isEmpty() && isAll && !net.isPresent()) {
                 runner.know(runner.whole());
             }
-        } else if (isAll || graph.isComplete()) {
+        } else if (!net.isPresent() && (isAll || graph.isComplete())) {
             looked = budget.states();
             runner.know(graph);
         }
@@ -137,7 +146,7 @@ public final class PlanQueries {
         try {
             return answer(query, QueryParser.query(net.net(), names, query.text()));
         } catch (QueryFaultException fault) {
-            return net.isCounted()
+            return !net.hasNames()
                     ? answerByName(query)
                     : PlanQueryAnswer.without(query, PlanQueryAnswer.Result.FAULT, fault.words());
         }
@@ -153,7 +162,11 @@ public final class PlanQueries {
 
     private PlanQueryAnswer answer(PlanQuery query, NetQuery asked) {
         look(Math.min(FIRST_STATES, budget.states()));
-        QueryAnswer found = saturated.flatMap(few -> few.answer(asked)).orElseGet(() -> runner.answer(asked));
+        Optional<QueryAnswer> without = saturated.flatMap(few -> few.answer(asked));
+        if (without.isEmpty() && net.isPresent()) {
+            return answerByName(query);
+        }
+        QueryAnswer found = without.orElseGet(() -> runner.answer(asked));
         boolean happens = isThatItHappens(asked, found);
         boolean isAProof = found.verdict() != NetVerdict.UNKNOWN && (happens || isWhole(found));
         Optional<PlanWitness> witness = found.witness().map(run -> witness(run, query, goal(asked, run)));
@@ -237,7 +250,8 @@ public final class PlanQueries {
                 .orElse(
                         isExact()
                                 ? ""
-                                : "; it may be so: the engine was not seen to do it, as the net leaves open what data decide");
+                                : "; it may be so: the engine was not seen to do it, as the net leaves open what data"
+                                        + " decide");
     }
 
     private static String counted(int count, String noun) {

@@ -20,6 +20,8 @@ class SpoiltCountingTest {
     static Stream<Arguments> lines() {
         return Stream.of(
                 counted("robots at a place are one", "1, Integer::sum", "1, Integer::max"),
+                counted("others may be there as well", "if (!isOneAnywhere) {", "if (false) {"),
+                counted("nobody else may be there", "if (!isOneAnywhere) {", "if (true) {"),
                 counted("robots need not be there", "arcs.atLeast(at(place), count)", "arcs.atLeast(at(place), 0)"),
                 counted("robots do not move", "arcs.joinChanges(robot.arcs);", ""),
                 counted(
@@ -27,7 +29,6 @@ class SpoiltCountingTest {
                         "here.getOrDefault(place, 0) + 1)",
                         "here.getOrDefault(place, 0) + 2)"),
                 counted("nobody may be where absent robots are not", "here.getOrDefault(place, 0) + 1)", "1)"),
-                counted("the absent may be there", "absent > 0 && !isOneAnywhere", "absent < 0 && !isOneAnywhere"),
                 counted("places with a mission inside are watched", "!possible.hasSub(place)", "true"),
                 counted(
                         "only places with a mission inside are watched",
@@ -37,16 +38,22 @@ class SpoiltCountingTest {
                         "where one may be anywhere nothing happens",
                         "if (isOneAnywhere && robots",
                         "if (isOneAnywhere || robots"),
-                named("robots stand nowhere at first", "at.put(robot, counted.start())", "at.put(robot, \"\")"),
+                named("robots stand nowhere at first", "at.put(robot, counted.start())", "at.put(robot, Set.of())"),
                 named("who may be anywhere has to be somewhere", "!option.isAnywhere", "true"),
-                named("absent robots stand where one looks", "place -> !watched", "place -> watched"),
-                named("present robots stand anywhere", "option.present::contains", "place -> true"),
+                named("present robots stand anywhere", "standing.containsAll(option.present)", "true"),
+                named(
+                        "of who stands in several places one is enough",
+                        ".map(standing::equals)",
+                        ".map(all -> standing.containsAll(option.present))"),
                 named("one robot does all", "used.add(robot);", ""),
                 named("nobody is named", "if (option.isNamed) {", "if (false) {"),
                 named("all are named", "if (option.isNamed) {", "if (true) {"),
                 named("moves go backwards", "move.from(), move.to()));", "move.to(), move.from()));"),
                 named("no move is told", "moves.add(new PlanNetMove(robot, move.from(), move.to()));", ""),
-                named("robots stay where they were", "to.put(robot, move.to());", ""),
+                named(
+                        "robots stay where they were",
+                        "to.put(robot, option.after(at.getOrDefault(robot, Set.of())));",
+                        ""),
                 named(
                         "robots go back to the start",
                         "at.putAll(to);",
@@ -54,9 +61,37 @@ class SpoiltCountingTest {
                 named("tasks do not move", "all.addAll(moves);", "all.clear(); all.addAll(moves);"),
                 named("tasks are not named", ".forEach(named::add)", ".forEach(token -> {})"),
                 named("no end is told", "all, firing.ends()", "all, false"),
-                named("robots that stand nowhere stand in a place", "if (!place.isEmpty()) {", "if (true) {"),
                 named("tasks are nowhere", "if (!net.isRobot(token)) {", "if (false) {"),
-                named("robots of the count are kept", "if (!net.isRobot(token)) {", "if (true) {"));
+                named("robots of the count are kept", "if (!net.isRobot(token)) {", "if (true) {"),
+                profile("the start has no robots", "profile.equals(start) ? robots : 0", "0"),
+                profile(
+                        "robots keep their set of places",
+                        "arcs.add(at(option.after(from)), 1)",
+                        "arcs.add(at(from), 1)"),
+                profile("robots stand in two sets of places", "moved.arcs.remove(at(from), 1);", ""),
+                profile("robots need not be where they are taken", "standing.containsAll(option.present)", "true"),
+                profile(
+                        "robots may also be where they are not said to be",
+                        "standing.contains(spot) == option.present.contains(spot)",
+                        "true"),
+                profile(
+                        "no set of places is asked for",
+                        "option.isAnywhere || (option.isStill",
+                        "true || (option.isStill"),
+                profile(
+                        "who stays is not asked for the other places",
+                        "boolean isCountedAtPlaces = watched <= 1 ||",
+                        "boolean isCountedAtPlaces = true ||"),
+                option("robots leave no place", "after.removeAll(left);", ""),
+                option("robots leave all places", "after.removeAll(left);", "after.clear();"));
+    }
+
+    private static Arguments profile(String spoilt, String right, String wrong) {
+        return arguments(spoilt, "RobotProfiles", right, wrong);
+    }
+
+    private static Arguments option(String spoilt, String right, String wrong) {
+        return arguments(spoilt, "TokenOption", right, wrong);
     }
 
     private static Arguments counted(String spoilt, String right, String wrong) {

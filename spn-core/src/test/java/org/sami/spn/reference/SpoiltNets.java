@@ -38,6 +38,7 @@ final class SpoiltNets {
     /** Nets, and what compares them. */
     private static boolean isOfNets(String name) {
         return name.startsWith("org.sami.spn.plannet.")
+                || name.startsWith("org.sami.spn.planspace.")
                 || name.startsWith("org.sami.petri.")
                 || name.startsWith("org.sami.spn.reference.");
     }

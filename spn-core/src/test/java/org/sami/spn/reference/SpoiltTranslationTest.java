@@ -28,7 +28,7 @@ class SpoiltTranslationTest {
                 plan("exactly is one more at most", "InConditions", "r.n() + 1);", "r.n() + 2);"),
                 plan("less than is at most", "InConditions", "arcs.below(at, r.n());", "arcs.below(at, r.n() + 1);"),
                 plan("at least is one less", "InConditions", "arcs.atLeast(at, least)", "arcs.atLeast(at, least - 1)"),
-                plan("all of those named may be some", "TokenOptions", ": here == named;", ": here > 0 || named == 0;"),
+                single("all of those named may be some", ".allMatch(edge -> present", ".anyMatch(edge -> present"),
                 plan("what enters a place is lost", "TokenOptions", "option.arcs.add(at, 1)", "option.arcs.add(at, 0)"),
                 plan(
                         "take leaves the token where it is",
@@ -98,6 +98,28 @@ class SpoiltTranslationTest {
                         "PossibleTokens",
                         "case TASK -> token.isTask(r.task())",
                         "case TASK -> true"),
+                single(
+                        "a group may hold a token twice",
+                        "present.size() - others.size() <= 1",
+                        "present.size() - others.size() <= 0"),
+                single("nobody who is named is looked at", "(!t.inputs().isEmpty()", "(false"),
+                single("no group takes in more than leaves", "if (entering > leaving(", "if (entering > 1 + leaving("),
+                single("what enters is not counted", "entering += entering(", "entering += 0 * entering("),
+                single("who is picked does not enter", "isPicked ? Math.min(r.n(), present) : 0", "0"),
+                single(
+                        "who is added is not counted",
+                        "? Math.min(r.n(), Math.max(1, present)) : Math.max(1, present)",
+                        "? 0 : 0"),
+                single("who is picked by an addition leaves", "s.requirement().action() != Action.ADD", "true"),
+                single(
+                        "what is added leaves too",
+                        "s.removes() && s.requirement().takesAll()",
+                        "s.requirement().takesAll()"),
+                plan(
+                        "several copies are lost count of nowhere",
+                        "PossibleTokens",
+                        "isCopied(token) && !single.containsKey(token)",
+                        "false"),
                 search(
                         "an inhibitor arc lets one more stay",
                         "EnabledTransitions",
@@ -110,6 +132,10 @@ class SpoiltTranslationTest {
                         "PackedFiring",
                         "produced.node(arc), produced.weight(arc));",
                         "produced.node(arc), 1);"));
+    }
+
+    private static Arguments single(String spoilt, String right, String wrong) {
+        return plan(spoilt, "SinglePlaces", right, wrong);
     }
 
     private static Arguments plan(String spoilt, String source, String right, String wrong) {

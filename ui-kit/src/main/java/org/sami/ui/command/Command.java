@@ -133,10 +133,18 @@ public final class Command extends AbstractAction {
         lock("it is not part of this window");
     }
 
-    /** Keeps it from being run for as long as the window is open, for this reason. */
+    /** Keeps it from being run until it is unlocked, for this reason. */
     void lock(String reason) {
         locked = Optional.of(reason);
         refresh();
+    }
+
+    /** Ends a lock. */
+    void unlock() {
+        if (locked.isPresent()) {
+            locked = Optional.empty();
+            refresh();
+        }
     }
 
     /** Whether it is taken from the window's person. */

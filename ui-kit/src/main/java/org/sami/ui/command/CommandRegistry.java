@@ -88,6 +88,13 @@ public final class CommandRegistry {
         return Optional.ofNullable(keys.get(key)).filter(command -> !command.isHidden());
     }
 
+    /** Asks the policy again what is locked, as it may say otherwise now; what it hid stays hidden. */
+    public void askPolicy() {
+        for (Command command : all()) {
+            policy.whyLocked(command.id()).ifPresentOrElse(command::lock, command::unlock);
+        }
+    }
+
     /** Asks all commands again whether they can be run: to be called when what they depend on has changed. */
     public void refresh() {
         commands.values().forEach(Command::refresh);

@@ -32,6 +32,30 @@ class CommandTest {
     }
 
     @Test
+    void lockIsThatOfThePolicyWhenItWasAskedLast() {
+        CommandRegistry locked = new CommandRegistry(new CommandPolicy() {
+            @Override
+            public Optional<String> whyLocked(String id) {
+                return reason;
+            }
+        });
+        Command fit = locked.add(new Command("map-fit", "Fit", () -> ran.add("fit")));
+        assertThat(fit.whyNot()).contains("no mission runs");
+
+        reason = Optional.empty();
+        fit.run();
+        assertThat(ran).isEmpty();
+        locked.askPolicy();
+        fit.run();
+        assertThat(ran).containsExactly("fit");
+
+        reason = Optional.of("the role is another");
+        locked.askPolicy();
+        assertThat(fit.isEnabled()).isFalse();
+        assertThat(fit.whyNot()).contains("the role is another");
+    }
+
+    @Test
     void saysWhyItCannotBeRunAndDoesNotRun() {
         JButton button = new CommandButton(abort());
 

@@ -24,7 +24,8 @@ final class AnalysisTable {
 
     void begin() {
         out.println(
-                "| plan | boats | places, transitions of its net | states | stops before its end | every run can end | its queries | never fires | seconds |");
+                "| plan | boats | places, transitions of its net | states | stops before its end | every run can end |"
+                        + " its queries | never fires | seconds |");
         out.println("|---|---|---|---|---|---|---|---|---|");
     }
 
@@ -58,7 +59,8 @@ final class AnalysisTable {
                         found.facts().graph().states(),
                         !found.facts().graph().isComplete()
                                 ? " and more"
-                                : found.facts().gathering().isEmpty() ? "" : "*",
+                                : (found.facts().gathering().isEmpty() ? "" : "*")
+                                        + (found.net().isPresent() ? "†" : ""),
                         word(found.stops()),
                         word(found.ends()),
                         saved(found.saved()),

@@ -23,7 +23,8 @@ final class PlanAnalysisJson {
                 .put("boats", analysis.plan().net().request().robots().size())
                 .put("places", net.placeCount())
                 .put("transitions", net.transitionCount())
-                .put("boatsCounted", analysis.plan().net().isCounted());
+                .put("boatsCounted", analysis.plan().net().isCounted())
+                .put("boatsPresent", analysis.plan().net().isPresent());
         ArrayNode open = object.putArray("abstractions");
         analysis.plan()
                 .net()

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.spn.plannet.Abstraction;
+import org.sami.spn.plannet.PlanNet;
 import org.sami.spn.planspace.PlanFacts;
 import org.sami.spn.planspace.PlanQueryAnswer;
 import org.sami.spn.planspace.PlanStateWords;
@@ -32,7 +33,7 @@ final class PlanAnalysisText {
                 analysis.plan().title(),
                 analysis.plan().net().net().placeCount(),
                 analysis.plan().net().net().transitionCount(),
-                analysis.plan().net().isCounted() ? ", in which boats are counted" : "");
+                of(analysis.plan().net()));
         List<Abstraction> open = analysis.plan().net().abstractions();
         list(open, Abstraction.Kind.WIDER, "it can do more than the plan, as it leaves open:");
         list(open, Abstraction.Kind.PARTIAL, "it follows only a part of the plan:");
@@ -47,6 +48,12 @@ final class PlanAnalysisText {
                             .map(answer -> answer.query().name())
                             .collect(Collectors.joining(", ")));
         }
+    }
+
+    private static String of(PlanNet net) {
+        return net.isCounted()
+                ? ", in which boats are counted"
+                : net.isPresent() ? ", in which it is followed whether any boats are in a place" : "";
     }
 
     private void list(List<Abstraction> all, Abstraction.Kind kind, String heading) {

@@ -42,7 +42,8 @@ final class ProofsBeforeSearch {
         this.watch = watch;
         long deadline = System.nanoTime() + Math.min(budget.time().toNanos(), MOST_TIME.toNanos());
         this.cut = () -> stop.getAsBoolean() || System.nanoTime() - deadline >= 0;
-        this.structure = new StructuralAnswers(net, StructureLimits.USUAL.withCancel(cut));
+        this.structure = new StructuralAnswers(
+                net, StructureLimits.USUAL.withCancel(stop).until(deadline, System::nanoTime));
     }
 
     /** The answer; empty where states have to be searched. */

@@ -1,5 +1,6 @@
 package org.sami.crw.cli.analysis;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -30,6 +31,7 @@ import org.sami.petri.structure.StructureLimits;
  * @param neverStops why some transition is always enabled; empty where that is not proved
  * @param isLive why each transition can always fire again; empty where that is not proved
  * @param coverability only where structure does not bound all places
+ * @param cutAfter how long structure was searched, where that was not enough; empty where all was tried
  */
 record StructureFacts(
         PetriNet net,
@@ -40,18 +42,18 @@ record StructureFacts(
         SiphonTrapCheck.Result siphons,
         Optional<StructuralProof> neverStops,
         Optional<StructuralProof> isLive,
-        Optional<CoverabilityAnswers> coverability) {
+        Optional<CoverabilityAnswers> coverability,
+        Optional<Duration> cutAfter) {
 
     static StructureFacts of(PetriNet net, SearchBudget budget, GraphWatch watch, BooleanSupplier stop) {
         long deadline = System.nanoTime() + budget.time().toNanos();
-        StructureLimits limits =
-                StructureLimits.USUAL.withCancel(() -> stop.getAsBoolean() || System.nanoTime() - deadline >= 0);
+        StructureLimits limits = StructureLimits.USUAL.withCancel(stop).until(deadline, System::nanoTime);
         StructuralAnswers answers = new StructuralAnswers(net, limits);
         List<Optional<MarkingBound>> bounds = new ArrayList<>();
         for (int place = 0; place < net.placeCount(); place++) {
             bounds.add(answers.bound(place));
         }
-        return new StructureFacts(
+        StructureFacts facts = new StructureFacts(
                 net,
                 answers.invariants(),
                 Invariants.basisOfPlaces(net, limits),
@@ -60,9 +62,26 @@ record StructureFacts(
                 answers.siphons(),
                 answers.neverStops(),
                 answers.isLive(),
-                bounds.stream().allMatch(Optional::isPresent)
-                        ? Optional.empty()
-                        : Optional.of(CoverabilityAnswers.of(net, answers, budget, watch, System::nanoTime)));
+                Optional.empty(),
+                Optional.empty());
+        return limits.cancelled().getAsBoolean()
+                ? facts.cut(budget.time())
+                : bounds.stream().allMatch(Optional::isPresent)
+                        ? facts
+                        : facts.with(CoverabilityAnswers.of(net, answers, budget, watch, System::nanoTime));
+    }
+
+    private StructureFacts cut(Duration after) {
+        return with(coverability, Optional.of(after));
+    }
+
+    private StructureFacts with(CoverabilityAnswers answers) {
+        return with(Optional.of(answers), cutAfter);
+    }
+
+    private StructureFacts with(Optional<CoverabilityAnswers> answers, Optional<Duration> cut) {
+        return new StructureFacts(
+                net, placeInvariants, basis, transitionInvariants, bounds, siphons, neverStops, isLive, answers, cut);
     }
 
     /** The most tokens that a place can have: exact where the coverability set is complete, else what structure says; empty where no bound is known. */
@@ -86,8 +105,9 @@ record StructureFacts(
                 .toList();
     }
 
-    /** Whether it is open which places are unbounded. */
+    /** Whether it is open which places are unbounded, or time did not do for all that structure may prove. */
     boolean isOpen() {
-        return coverability.filter(answers -> !answers.set().isComplete()).isPresent();
+        return cutAfter.isPresent()
+                || coverability.filter(answers -> !answers.set().isComplete()).isPresent();
     }
 }

@@ -1,8 +1,11 @@
 package org.sami.crw.cli.analysis;
 
 import java.io.PrintWriter;
+import java.math.BigDecimal;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -74,7 +77,9 @@ final class StructureText {
             out.println("no deadlock, proved by " + neverStops.get().method().words());
             printLines(neverStops.get().words());
         } else {
-            out.println("structure does not prove that there is no deadlock");
+            out.println(facts.cutAfter()
+                    .map(time -> "whether there is no deadlock was " + notDecided(time))
+                    .orElse("structure does not prove that there is no deadlock"));
             facts.siphons()
                     .unmarked()
                     .ifPresent(siphon -> out.println("    siphon "
@@ -114,8 +119,17 @@ final class StructureText {
         }
         names.forEach((most, places) -> out.println("at most " + most + " tokens: " + listed(places, ", ")));
         if (!open.isEmpty()) {
-            out.println("no bound is known: " + listed(open, ", "));
+            out.println(
+                    facts.cutAfter().map(time -> "bounds " + notDecided(time)).orElse("no bound is known") + ": "
+                            + listed(open, ", "));
         }
+    }
+
+    private static String notDecided(Duration time) {
+        return String.format(
+                Locale.ROOT,
+                "not decided within %s s",
+                BigDecimal.valueOf(time.toMillis(), 3).stripTrailingZeros().toPlainString());
     }
 
     private String names(List<Integer> transitions) {

@@ -17,6 +17,7 @@ import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanOption;
 import org.sami.crw.cli.option.ScenarioOptions;
 import org.sami.crw.cli.option.SeedsConverter;
+import org.sami.crw.cli.option.WorkersOption;
 import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
@@ -72,8 +73,7 @@ import picocli.CommandLine.Spec;
 public final class ExperimentCommand implements Callable<Integer>, TableArguments.Receiver {
     private static final String RUNS = "--runs";
     private static final Set<String> OF_THE_EXPERIMENT =
-            Set.of(RUNS, "--seeds", "--conditions", "--jobs", "--out", "--overwrite");
-    private static final int MOST_JOBS = 1000;
+            Set.of(RUNS, "--seeds", "--conditions", "--jobs", "--out", "--overwrite", "--workers");
 
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
@@ -121,6 +121,9 @@ public final class ExperimentCommand implements Callable<Integer>, TableArgument
 
     @Option(names = "--overwrite", description = "Replace the file of --out where there is one.")
     private boolean overwrite;
+
+    @Mixin
+    private WorkersOption workers = new WorkersOption();
 
     @Mixin
     private DomainOption domain = new DomainOption();
@@ -175,14 +178,26 @@ public final class ExperimentCommand implements Callable<Integer>, TableArgument
                 "%d runs: missions %d, conditions %d, seeds %d; %d at a time%n",
                 experiment.size(), cases.size(), waters.size(), seeds.all().size(), threads);
         err.flush();
-        return run(experiment, threads);
+        return run(
+                experiment,
+                (stop, progress) -> workers.address().isEmpty()
+                        ? experiment.run(
+                                threads, stop, done -> progress.show(() -> done + " of " + experiment.size() + " runs"))
+                        : new SharedExperiment(workers.address().get(), "runs", err)
+                                .rows(
+                                        "missions",
+                                        experiment.portions(),
+                                        ExperimentSettings.of(
+                                                cases, List.copyOf(waters.keySet()), seeds.all(), words.get()),
+                                        threads,
+                                        stop));
     }
 
     private int threads() {
         if (jobs == null) {
             return Runtime.getRuntime().availableProcessors();
         }
-        UsageFault.unlessWithin("--jobs", jobs, 1, MOST_JOBS);
+        UsageFault.unlessWithin("--jobs", jobs, 1, 1000);
         return jobs;
     }
 
@@ -224,17 +239,20 @@ public final class ExperimentCommand implements Callable<Integer>, TableArgument
         }
     }
 
-    private int run(Experiment experiment, int threads) {
+    /** Makes the rows of an experiment, here or with other machines. */
+    private interface Making {
+        List<ExperimentRow> rows(StopOnInterrupt stop, ProgressDisplay progress) throws IOException;
+    }
+
+    private int run(Experiment experiment, Making making) throws IOException {
         PrintWriter err = spec.commandLine().getErr();
-        PrintWriter printed = spec.commandLine().getOut();
         ProgressDisplay progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            List<ExperimentRow> rows = experiment.run(
-                    threads, stop, done -> progress.show(() -> done + " of " + experiment.size() + " runs"));
+            List<ExperimentRow> rows = making.rows(stop, progress);
             progress.end();
             boolean stopped = Thread.interrupted() || rows.size() < experiment.size();
-            printed.print(ExperimentTable.text(rows));
-            printed.flush();
+            spec.commandLine().getOut().print(ExperimentTable.text(rows));
+            spec.commandLine().getOut().flush();
             boolean written = write(rows);
             long ended = rows.stream()
                     .filter(row -> row.ending().outcome() == RunOutcome.ENDED)

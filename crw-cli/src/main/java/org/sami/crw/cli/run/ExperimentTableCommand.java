@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.PlanSource;
+import org.sami.crw.cli.option.WorkersOption;
 import org.sami.crw.cli.output.ErrorMessages;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
@@ -25,7 +26,9 @@ import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.FileTooLargeException;
 import org.sami.spn.json.Reading;
 import org.sami.spn.model.Project;
+import org.sami.work.postgres.WorkException;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -160,6 +163,9 @@ final class ExperimentTableCommand implements Callable<Integer> {
                             + " folder each. Runs that are there already are not made again.")
     private @Nullable Path out;
 
+    @Mixin
+    private WorkersOption workers = new WorkersOption();
+
     @Option(names = "--overwrite", description = "Make all runs again, and replace what --out holds.")
     private boolean overwrite;
 
@@ -175,6 +181,11 @@ final class ExperimentTableCommand implements Callable<Integer> {
         }
         if (overwrite && out == null) {
             throw new UsageFault("--overwrite: there is no --out whose files it could be about");
+        }
+        if (overwrite && workers.address().isPresent()) {
+            throw new UsageFault(
+                    "--overwrite: runs that machines divide are kept in the database; to make them again name"
+                            + " another schema in --workers");
         }
         DomainLibrary library = PlanSource.library();
         Project project = library.combined();
@@ -195,25 +206,31 @@ final class ExperimentTableCommand implements Callable<Integer> {
         return run(experiments, library, project);
     }
 
-    private int run(Map<String, ExperimentFile> experiments, DomainLibrary library, Project project) {
+    private int run(Map<String, ExperimentFile> experiments, DomainLibrary library, Project project)
+            throws WorkException {
         PrintWriter err = spec.commandLine().getErr();
         int threads = jobs == null ? Runtime.getRuntime().availableProcessors() : jobs;
         int worst = ExitCode.OK;
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             for (Map.Entry<String, ExperimentFile> one : experiments.entrySet()) {
                 Path folder = out == null || experiments.size() == 1 ? out : out.resolve(one.getKey());
+                Map<String, String> settings =
+                        ExperimentSettings.of(one.getValue(), repetitions, seed, library, project);
                 TableJob job = new TableJob(
                         one.getValue(),
                         library.vocabulary(),
                         project,
                         spec.commandLine().getOut(),
-                        err);
+                        err,
+                        workers.address().map(address -> new SharedTable(address, settings, err)));
                 int code = job.run(repetitions, seed, threads, folder, overwrite, stop);
                 worst = code == ExitCode.OK ? worst : code;
                 if (code == ExitCode.RUNNING) {
                     break;
                 }
             }
+        } catch (WorkException database) {
+            throw database;
         } catch (IOException e) {
             throw new UsageFault("--out: " + out + " cannot be written: " + ErrorMessages.words(e));
         }

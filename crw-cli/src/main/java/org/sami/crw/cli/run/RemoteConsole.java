@@ -10,6 +10,7 @@ import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.console.Console;
 import org.sami.crw.console.LineSource;
 import org.sami.crw.operator.OperatorModels;
+import org.sami.session.client.PersonRights;
 import org.sami.session.client.RemoteListener;
 import org.sami.session.client.RemoteSession;
 
@@ -83,6 +84,11 @@ final class RemoteConsole implements RemoteListener {
     @Override
     public void back() {
         print("connected again");
+    }
+
+    @Override
+    public void rights(PersonRights now) {
+        print("your role in this session is " + now.role() + " now");
     }
 
     @Override

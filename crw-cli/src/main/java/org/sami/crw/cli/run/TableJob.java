@@ -34,15 +34,28 @@ final class TableJob {
     private final PrintWriter out;
     private final PrintWriter err;
     private final ProgressDisplay progress;
+    private final Optional<SharedTable> shared;
     private long beganNanos;
     private int doneBefore = -1;
 
-    TableJob(ExperimentFile experiment, Vocabulary vocabulary, Project project, PrintWriter out, PrintWriter err) {
+    /**
+     * A job.
+     *
+     * @param shared how other machines take part; empty where none does
+     */
+    TableJob(
+            ExperimentFile experiment,
+            Vocabulary vocabulary,
+            Project project,
+            PrintWriter out,
+            PrintWriter err,
+            Optional<SharedTable> shared) {
         this.experiment = experiment;
         this.vocabulary = vocabulary;
         this.project = project;
         this.out = out;
         this.err = err;
+        this.shared = shared;
         progress = new ProgressDisplay(err, Terminal.onStandardError(), System::nanoTime);
     }
 
@@ -60,19 +73,9 @@ final class TableJob {
         err.printf("%s: %d runs, %d at a time%n", experiment.title(), run.size(), threads);
         err.flush();
         beganNanos = System.nanoTime();
-        List<RunRow> rows = run.run(earlier, threads, stop, new TableRun.Listener() {
-            @Override
-            public void made(List<RunRow> made) throws IOException {
-                if (file.isPresent()) {
-                    file.get().add(made);
-                }
-            }
-
-            @Override
-            public void progress(int done, int of) {
-                show(done, of);
-            }
-        });
+        List<RunRow> rows = shared.isPresent()
+                ? shared.get().rows(experiment.id(), run, threads, stop)
+                : run.run(earlier, threads, stop, listener(file));
         progress.end();
         boolean interrupted = Thread.interrupted(); // the files are still to be written
         boolean stopped = interrupted || stop.getAsBoolean();
@@ -86,13 +89,29 @@ final class TableJob {
         }
         if (stopped) {
             err.println(
-                    folder == null
+                    folder == null && shared.isEmpty()
                             ? "stopped: not all runs were made; with --out the next call goes on"
                             : "stopped: not all runs were made; the same command goes on");
             err.flush();
             return ExitCode.RUNNING;
         }
         return table.faults().isEmpty() ? ExitCode.OK : ExitCode.PROBLEMS;
+    }
+
+    private TableRun.Listener listener(Optional<RunRowsFile> file) {
+        return new TableRun.Listener() {
+            @Override
+            public void made(List<RunRow> made) throws IOException {
+                if (file.isPresent()) {
+                    file.get().add(made);
+                }
+            }
+
+            @Override
+            public void progress(int done, int of) {
+                show(done, of);
+            }
+        };
     }
 
     private void show(int done, int of) {

@@ -35,6 +35,18 @@ class AnalyseAllCommandTest {
     }
 
     @Test
+    void plansThatCopyBoatsAreAnsweredWithSeveral() {
+        CommandResult ran =
+                CommandResult.crw("analyse-all", "clv-dangerous-area", "deploy-and-station-keep", "--boats", "3,5");
+
+        assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+        assertThat(ran.out().lines().filter(line -> line.startsWith("| `")))
+                .hasSize(4)
+                .allMatch(line -> line.contains("| no | yes | – | – |"))
+                .allMatch(line -> line.contains("*†") == line.contains("`deploy-and-station-keep`"));
+    }
+
+    @Test
     void numbersOfBoatsAreChecked() {
         CommandResult ran = CommandResult.crw("analyse-all", "--boats", "1,26");
 

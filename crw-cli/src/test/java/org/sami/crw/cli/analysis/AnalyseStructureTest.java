@@ -53,6 +53,16 @@ class AnalyseStructureTest {
     }
 
     @Test
+    void whatTimeDoesNotDoForIsNotDecided() {
+        CommandResult ran = CommandResult.crw("analyse", "shared-memory-40", "--structure", "--time", "0.001");
+
+        assertThat(ran.exitCode()).as(ran.err()).isEqualTo(5);
+        assertThat(ran.out())
+                .contains("whether there is no deadlock was not decided within 0.001 s")
+                .contains("bounds not decided within 0.001 s: bus,");
+    }
+
+    @Test
     void programsReadAllOfIt() throws Exception {
         CommandResult ran = CommandResult.crw("analyse", "producer-consumer-0", "--structure", "--json");
 

@@ -45,7 +45,7 @@ public final class BoatListPanel extends JPanel {
         table = new RowTable<>(
                 "boats-table",
                 context.say(
-                        context.whyNotHere().isEmpty()
+                        context.whyNotAct().isEmpty()
                                 ? "No boat is known. Connect one (Ctrl+B), or start the plan that connects boats; each"
                                         + " appears here with what it does."
                                 : "No boat is known. Each that the session connects appears here with what it does."),

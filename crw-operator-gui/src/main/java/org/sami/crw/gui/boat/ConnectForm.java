@@ -142,7 +142,7 @@ public final class ConnectForm extends JPanel {
         }
         BoatAddress at = BoatAddress.parse(address.getText().strip());
         address.setText("");
-        attempt = Optional.of(ConnectAttempt.begin(context.here(), at, this::told));
+        attempt = Optional.of(ConnectAttempt.begin(context.session(), at, this::told));
         refresh();
     }
 

@@ -19,7 +19,7 @@ import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.proxy.status.BoatTuning;
-import org.sami.crw.session.Fleet;
+import org.sami.crw.session.FrontFleet;
 import org.sami.crw.session.RefusedException;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.command.Command;
@@ -46,7 +46,7 @@ final class SettingsForm extends JPanel {
                     .add(new Command("boat-set-" + id, "Set " + title.toLowerCase(Locale.ROOT), () -> set(setting))
                             .withIcon("check")
                             .unless(() -> boat.isPresent()
-                                    ? context.whyNotHere()
+                                    ? context.whyNotAct()
                                     : Optional.of(context.say("select a boat first"))));
             now.setName("boat-" + id + "-now");
             CommandButton button = new CommandButton(command);
@@ -60,7 +60,7 @@ final class SettingsForm extends JPanel {
         private void set(Setting setting) {
             String whom = boat.orElseThrow();
             try {
-                CompletionStage<Void> asked = setting.ask(context.here().fleet(), whom);
+                CompletionStage<Void> asked = setting.ask(context.session().fleet(), whom);
                 say("asked…", false);
                 asked.whenComplete((taken, fault) -> {
                     say(fault == null ? "✓ taken" : "▲ " + RefusedException.reason(fault), fault != null);
@@ -97,7 +97,7 @@ final class SettingsForm extends JPanel {
     /** Asks a boat for a setting. */
     private interface Setting {
         /** @throws IllegalArgumentException if what is entered is no value, in words */
-        CompletionStage<Void> ask(Fleet fleet, String boat);
+        CompletionStage<Void> ask(FrontFleet fleet, String boat);
     }
 
     SettingsForm(OperatorContext context) {

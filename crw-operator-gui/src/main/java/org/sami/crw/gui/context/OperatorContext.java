@@ -56,7 +56,7 @@ public record OperatorContext(
     }
 
     /**
-     * The session itself, for what only its own machine has: files, keys, boats' settings.
+     * The session itself, for what only its own machine has: files, keys.
      *
      * @throws IllegalStateException where it runs elsewhere ({@link #whyNotHere})
      */

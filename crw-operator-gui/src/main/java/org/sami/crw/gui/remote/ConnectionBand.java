@@ -5,6 +5,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.palette.SemanticColor;
+import org.sami.session.client.PersonRights;
 import org.sami.session.client.RemoteListener;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.LookColors;
@@ -19,6 +20,7 @@ public final class ConnectionBand extends JPanel implements RemoteListener {
     private String whose = "";
     private Optional<String> trouble = Optional.empty();
     private Optional<Notices> notices = Optional.empty();
+    private Runnable otherRights = () -> {};
 
     /** A band that says nothing yet. */
     public ConnectionBand() {
@@ -29,8 +31,13 @@ public final class ConnectionBand extends JPanel implements RemoteListener {
         showNow();
     }
 
-    /** Says from now on whose session it is. */
-    void of(String address, String person, Notices of) {
+    /**
+     * Says from now on whose session it is.
+     *
+     * @param onOtherRights is run on the event thread when the person's role is another one
+     */
+    void of(String address, String person, Notices of, Runnable onOtherRights) {
+        otherRights = onOtherRights;
         whose = "Session at " + address + ", as " + person;
         notices = Optional.of(of);
         showNow();
@@ -66,6 +73,12 @@ public final class ConnectionBand extends JPanel implements RemoteListener {
     @Override
     public void ended(String why) {
         set(Optional.of(why + "; nothing here is of now, close the window"));
+    }
+
+    @Override
+    public void rights(PersonRights now) {
+        EventThread.later(() -> otherRights.run());
+        news("Your role in this session is " + now.role() + " now");
     }
 
     @Override

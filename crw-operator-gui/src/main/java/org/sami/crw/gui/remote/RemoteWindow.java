@@ -10,6 +10,7 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import org.sami.crw.fleet.RobotKind;
+import org.sami.crw.gui.boat.ConnectSheet;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
@@ -35,7 +36,7 @@ import org.sami.ui.window.WindowSettings;
 
 /**
  * The operator's window over a session in another process: the same panels, status strip and fleet stop, and a band that says whose session it is. What only the session's own
- * machine has, such as files, keys and settings of boats, cannot be run and says why. Closing it leaves the session as it is. On the event thread.
+ * machine has, such as files and keys, cannot be run and says why. Closing it leaves the session as it is. On the event thread.
  */
 public final class RemoteWindow {
     private static final int REFRESH_MS = 250;
@@ -71,12 +72,13 @@ public final class RemoteWindow {
         RobotKind robots = HandlerModules.robotsOf(session.vocabulary());
         context = new OperatorContext(
                 session,
-                new CommandRegistry(new RightsPolicy(session.rights()), robots::say),
+                new CommandRegistry(new RightsPolicy(session::rights), robots::say),
                 new ProxyMarks(),
                 new BoatSelection(),
                 new Notices(robots::say));
         CommandRegistry commands = context.commands();
-        band.of(session.address().toString(), session.person(), context.notices());
+        band.of(session.address().toString(), session.person(), context.notices(), commands::askPolicy);
+        commands.add(ConnectSheet.command(context, frame.getRootPane()));
         FleetStopCommands fleetStop = new FleetStopCommands(context);
         panels = new OperatorPanels(context, settings, new LoadedProject(Optional.empty()));
         sounds = AlarmSounds.of(context, settings);

@@ -1,10 +1,10 @@
 package org.sami.crw.gui.remote;
 
-import java.util.HashMap;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.sami.session.client.PersonRights;
 import org.sami.ui.command.CommandPolicy;
 
@@ -26,15 +26,17 @@ final class RightsPolicy implements CommandPolicy {
                 "allocation-give"),
         PRESS("release the fleet", "fleet-release", "fleet-release-confirm"),
         START(
-                "start or end missions",
+                "start or end missions, or connect boats",
                 "mission-start",
                 "mission-start-with",
                 "mission-abort",
                 "mission-complete",
                 "global-set",
+                "boat-connect",
                 "boat-add-simulated",
                 "address-give-up"),
-        DRIVE("drive boats", "boat-by-hand", "boat-cancel-command");
+        DRIVE("drive boats", "boat-by-hand", "boat-cancel-command"),
+        SETUP("set up boats", "boat-set-heading", "boat-set-speed", "boat-set-velocity", "boat-set-lost-link");
 
         private final String words;
         private final List<String> commands;
@@ -49,20 +51,19 @@ final class RightsPolicy implements CommandPolicy {
         }
     }
 
-    private final Map<String, String> locked = new HashMap<>();
+    private final Supplier<PersonRights> person;
 
-    /** Locks what a person may not do. */
-    RightsPolicy(PersonRights person) {
-        for (Needed needed : Needed.values()) {
-            if (!person.has(needed.right())) {
-                needed.commands.forEach(command -> locked.put(
-                        command, "your role in this session, " + person.role() + ", may not " + needed.words));
-            }
-        }
+    /** Locks what a person may not do at the time. */
+    RightsPolicy(Supplier<PersonRights> person) {
+        this.person = person;
     }
 
     @Override
     public Optional<String> whyLocked(String id) {
-        return Optional.ofNullable(locked.get(id));
+        PersonRights now = person.get();
+        return Arrays.stream(Needed.values())
+                .filter(needed -> needed.commands.contains(id) && !now.has(needed.right()))
+                .findFirst()
+                .map(needed -> "your role in this session, " + now.role() + ", may not " + needed.words);
     }
 }

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JFrame;
-import org.sami.crw.gui.boat.ConnectForm;
+import org.sami.crw.gui.boat.ConnectSheet;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.file.LogsSheet;
 import org.sami.crw.gui.key.KeysForm;
@@ -40,9 +40,7 @@ final class WindowCommands {
         this.projectLoaded = projectLoaded;
         this.context = context;
         this.frame = frame;
-        add(new Command("boat-connect", "Connect a boat…", this::connect)
-                .withKey("ctrl B")
-                .withIcon("connect"));
+        add(ConnectSheet.command(context, frame.getRootPane()));
         near = new NearSheet(context, frame.getRootPane(), () -> finder.get());
         add(new Command("boats-near", "Boats near…", near::open)
                 .withKey("ctrl N")
@@ -129,11 +127,6 @@ final class WindowCommands {
     void close() {
         near.close();
         stations.close();
-    }
-
-    private void connect() {
-        WindowSheet sheet = WindowSheet.in(frame.getRootPane());
-        sheet.open(new Sheet("boat-connect-sheet", context.say("Connect a boat"), new ConnectForm(context)));
     }
 
     private void keys() {

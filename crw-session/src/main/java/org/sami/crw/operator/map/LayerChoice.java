@@ -94,7 +94,7 @@ public final class LayerChoice {
         return layer == ShownLayer.SENSOR_DATA && boats.showData();
     }
 
-    /** The data that are to be drawn. */
+    /** The data that are to be drawn. Where the layer was switched on and nobody names a channel, it is the first one that boats measure. */
     public List<SensorFields.Request> requests(Collection<MarkedEvent> events, Collection<String> allBoats) {
         if (Boolean.FALSE.equals(byHand.get(ShownLayer.SENSOR_DATA))) {
             return List.of();
@@ -115,6 +115,10 @@ public final class LayerChoice {
                         threshold(information.sensor()),
                         event.words(missions)));
             }
+        }
+        if (requests.isEmpty() && byHand.containsKey(ShownLayer.SENSOR_DATA)) {
+            requests.add(
+                    new SensorFields.Request("", Visualization.HEATMAP, Set.of(), OptionalDouble.empty(), "by hand"));
         }
         return requests;
     }

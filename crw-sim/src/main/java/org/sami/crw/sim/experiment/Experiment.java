@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.concurrent.CompletionService;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorCompletionService;
@@ -29,7 +30,12 @@ public final class Experiment {
     private final List<Trial> trials = new ArrayList<>();
 
     /** One run that is to be made. */
-    private record Trial(ExperimentCase of, String conditions, RunSettings settings) {}
+    private record Trial(ExperimentCase of, String conditions, RunSettings settings) {
+        ExperimentRow.Run run() {
+            return new ExperimentRow.Run(
+                    of.label(), conditions, settings.fleet().seed());
+        }
+    }
 
     /** A row and where it belongs; none where the run was stopped. */
     private record Done(int index, List<ExperimentRow> row) {}
@@ -86,6 +92,30 @@ public final class Experiment {
         } finally {
             pool.shutdown();
         }
+    }
+
+    /** Its runs, for several machines. */
+    public Portions<ExperimentRow> portions() {
+        return new Portions<>() {
+            @Override
+            public int count() {
+                return trials.size();
+            }
+
+            @Override
+            public Optional<String> make(int portion, BooleanSupplier stop) {
+                return row(trials.get(portion), stop).stream().findFirst().map(ExperimentRowText::write);
+            }
+
+            @Override
+            public List<ExperimentRow> rows(Map<Integer, String> results, Map<Integer, String> givenUp) {
+                Map<Integer, ExperimentRow> rows = new TreeMap<>();
+                givenUp.forEach((portion, reason) -> rows.put(
+                        portion, ExperimentRow.failed(trials.get(portion).run(), reason)));
+                results.forEach((portion, text) -> rows.put(portion, ExperimentRowText.read(text)));
+                return List.copyOf(rows.values());
+            }
+        };
     }
 
     private static List<ExperimentRow> row(Trial trial, BooleanSupplier stop) {

@@ -174,13 +174,13 @@ public record ExperimentRow(
 
     /** The row of a run that the program itself broke. */
     static ExperimentRow broken(String label, String conditions, long seed, RuntimeException fault) {
+        return failed(new Run(label, conditions, seed), "the program broke: " + fault);
+    }
+
+    /** The row of a run of which nothing is known but why it failed. */
+    static ExperimentRow failed(Run run, String reason) {
         return new ExperimentRow(
-                new Run(label, conditions, seed),
-                new Ending(RunOutcome.FAILED, "the program broke: " + fault, 0, 0, ""),
-                Visits.NONE,
-                Coverage.NONE,
-                Distances.NONE,
-                0);
+                run, new Ending(RunOutcome.FAILED, reason, 0, 0, ""), Visits.NONE, Coverage.NONE, Distances.NONE, 0);
     }
 
     private static boolean ranEmpty(BoatResult boat) {

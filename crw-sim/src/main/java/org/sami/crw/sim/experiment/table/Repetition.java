@@ -77,6 +77,20 @@ final class Repetition {
         return scripts.versions().size() + (isAtTimes() ? 1 : 0);
     }
 
+    /** Its rows where it is never made: failed runs. */
+    List<RunRow> failed(String reason) {
+        List<RunRow> rows = new ArrayList<>();
+        if (isAtTimes()) {
+            rows.add(failed(UNDISTURBED, reason));
+        }
+        scripts.versions().keySet().forEach(version -> rows.add(failed(version, reason)));
+        return rows;
+    }
+
+    private RunRow failed(String version, String reason) {
+        return RunRow.failed(new RunRow.Place(configuration.key(), number, 1, true, version, seed), reason);
+    }
+
     private boolean isAtTimes() {
         return scripts.incidents().kind() == Incidents.Kind.TIMES;
     }

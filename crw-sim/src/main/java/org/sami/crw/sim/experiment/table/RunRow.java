@@ -110,10 +110,15 @@ public record RunRow(
 
     /** A run that the program itself broke. */
     static RunRow broken(Place at, RuntimeException fault) {
+        return failed(at, "the program broke: " + fault);
+    }
+
+    /** A run of which nothing is known but why it failed. */
+    static RunRow failed(Place at, String reason) {
         return new RunRow(
                 at,
                 RunOutcome.FAILED.word(),
-                "the program broke: " + fault,
+                reason,
                 0,
                 List.of(0L, 0L, 0L, 0L),
                 0,
@@ -157,6 +162,21 @@ public record RunRow(
 
     /** The row's text, with a line feed. */
     String csv() {
+        return text(
+                reason.replace('\n', ' '),
+                CsvRow.fixed(seconds, 3),
+                resolution.isEmpty() ? "" : CsvRow.fixed(resolution.getAsDouble(), 3));
+    }
+
+    /** The same with every digit of its numbers, for {@link #read}: tables are made of these. */
+    String exact() {
+        return text(
+                reason,
+                Double.toString(seconds),
+                resolution.isEmpty() ? "" : Double.toString(resolution.getAsDouble()));
+    }
+
+    private String text(String reasonCell, String secondsCell, String resolutionCell) {
         return CsvRow.of(
                 at.configuration(),
                 at.repetition(),
@@ -165,15 +185,15 @@ public record RunRow(
                 at.version(),
                 at.seed(),
                 outcome,
-                reason.replace('\n', ' '),
-                CsvRow.fixed(seconds, 3),
+                reasonCell,
+                secondsCell,
                 clicks(),
                 clicksByKind.get(0),
                 clicksByKind.get(1),
                 clicksByKind.get(2),
                 clicksByKind.get(3),
                 recharges,
-                resolution.isEmpty() ? "" : CsvRow.fixed(resolution.getAsDouble(), 3),
+                resolutionCell,
                 measurements,
                 unvisited,
                 notPlaced,

@@ -13,6 +13,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.BooleanSupplier;
+import org.sami.crw.sim.experiment.Portions;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 
@@ -102,6 +103,11 @@ public final class TableRun {
             pool.shutdown();
         }
         return rows.values().stream().flatMap(List::stream).toList();
+    }
+
+    /** Its repetitions, for several machines. */
+    public Portions<RunRow> portions() {
+        return new RepetitionPortions(repetitions, firstOfEachFirst());
     }
 
     /** The first repetition of every configuration, then the second ones: what is stopped has something of each line of the table. */

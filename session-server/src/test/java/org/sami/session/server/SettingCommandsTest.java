@@ -1,0 +1,130 @@
+package org.sami.session.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.Gains;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.SteadyClock;
+import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.ProcessClock;
+import org.sami.crw.proxy.status.BoatTuning;
+import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionSetup;
+import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.crw.sim.boat.BoatSettings;
+import org.sami.session.person.PeopleFile;
+import org.sami.session.person.Person;
+import org.sami.session.person.PersonKey;
+import org.sami.session.person.PersonRole;
+import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.value.GeoPoint;
+
+/** Settings of a real boat, set by people over real sockets on loopback. */
+class SettingCommandsTest {
+    private static final String SET = "{\"t\":\"set\",\"id\":%d,\"boat\":\"bella\",\"setting\":%s}";
+
+    @TempDir
+    private Path folder;
+
+    private Session session;
+    private SessionServer server;
+    private BoatOnTcp boat;
+
+    @BeforeEach
+    void serve() throws Exception {
+        DomainLibrary library =
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+        session = Session.open(SessionSetup.of(
+                library.vocabulary(), library.projectOf("station-keep").orElseThrow()));
+        PeopleFile people = new PeopleFile(folder.resolve("people"));
+        people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
+        people.add(new Person("paul", PersonRole.PILOT, List.of(), PersonKey.hash("key of paul")));
+        server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
+        session.begin();
+        boat = new BoatOnTcp(
+                BoatSettings.of(
+                        "bella",
+                        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+                        GeoPoint.of(45.4, 10.9),
+                        1),
+                new SteadyClock(ProcessClock::ms),
+                TcpServerListener.NONE);
+        session.fleet()
+                .connect(new BoatAddress(
+                        boat.address().getAddress().getHostAddress(),
+                        boat.address().getPort()))
+                .toCompletableFuture()
+                .get();
+    }
+
+    @AfterEach
+    void end() throws Exception {
+        boat.close();
+        server.close();
+        session.close();
+    }
+
+    private TestFront login(String name) throws Exception {
+        return TestFront.loggedIn(server, name, "key of " + name);
+    }
+
+    private BoatTuning inForce() throws Exception {
+        Optional<BoatTuning> known =
+                session.fleet().settings("bella").toCompletableFuture().get();
+        return known.orElseThrow();
+    }
+
+    @Test
+    void doneComesWhenTheBoatHasTakenIt() throws Exception {
+        TestFront anna = login("anna");
+
+        List<String> settings = List.of(
+                "\"heading\",\"p\":1.5,\"i\":0,\"d\":0.25",
+                "\"velocity\",\"multiplier\":0.5",
+                "\"lost-link\",\"action\":\"drift\"");
+        for (String setting : settings) {
+            anna.send(SET.formatted(1, setting));
+            assertThat(anna.reply(1).path("t").asText()).isEqualTo("done");
+        }
+
+        assertThat(inForce().heading()).isEqualTo(new Gains(1.5, 0, 0.25));
+        assertThat(inForce().velocityMultiplier()).isEqualTo(0.5);
+        assertThat(inForce().lostLinkAction()).isEqualTo(LostLinkAction.DRIFT);
+    }
+
+    @Test
+    void whatDoesNotFitIsRefusedInWordsAndTheBoatKeepsItsSettings() throws Exception {
+        TestFront anna = login("anna");
+        BoatTuning before = inForce();
+
+        anna.send(SET.formatted(1, "\"velocity\",\"multiplier\":99"));
+        assertThat(anna.reply(1).path("text").asText()).contains("99");
+        anna.send(SET.formatted(2, "\"speed\",\"p\":-1,\"i\":0,\"d\":0"));
+        assertThat(anna.reply(2).path("text").asText()).contains("-1");
+        anna.send(SET.formatted(3, "\"lost-link\",\"action\":\"swim\""));
+        JsonNode third = anna.until(message -> message.path("bad").asBoolean());
+        assertThat(third.path("text").asText()).isEqualTo("'action' is hold, return, continue or drift");
+        assertThat(inForce()).isEqualTo(before);
+    }
+
+    @Test
+    void whoDrivesBoatsDoesNotSetThemUp() throws Exception {
+        TestFront paul = login("paul");
+
+        paul.send(SET.formatted(1, "\"velocity\",\"multiplier\":0.5"));
+
+        assertThat(paul.reply(1).path("text").asText())
+                .isEqualTo("The role pilot of paul does not have the right 'setup'");
+    }
+}
