@@ -57,7 +57,7 @@ enum SamiModule {
     /** Journals in PostgreSQL. */
     JOURNAL_POSTGRES("journal-postgres", 20, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
     /** Work that several machines divide, in PostgreSQL: at the addresses, and by the connections, of journals there. */
-    WORK_POSTGRES("work-postgres", 8, List.of("org.sami.work.postgres.."), List.of(JOURNAL_POSTGRES)),
+    WORK_POSTGRES("work-postgres", 10, List.of("org.sami.work.postgres.."), List.of(JOURNAL_POSTGRES)),
     /** Place/transition nets and their analysis: no plan and no boat. */
     PETRI("petri", 140, List.of("org.sami.petri.."), List.of()),
     /** What helps to write plans. */

@@ -65,6 +65,11 @@ class StandbyTakesOverTest {
 
                 await(standby, AT);
                 CommandResult front = front(standby);
+                entries(journal).stream()
+                        .skip(before.size() - 3)
+                        .limit(14)
+                        .forEach(e -> System.err.println("ENTRY " + e));
+                System.err.println(standby.err());
                 assertThat(front.exitCode()).as(front.out() + front.err()).isZero();
                 System.err.println(front.out() + standby.out() + first.out());
             }
@@ -74,7 +79,14 @@ class StandbyTakesOverTest {
                     .startsWith(before.toArray(JournalEntry[]::new));
             for (String boat : BOATS) {
                 System.err.println(fleet.log(boat).stream()
-                        .map(e -> e.timeMs() + " " + e.clientId() + " " + e.command())
+                        .map(e -> e.timeMs() + " " + e.clientId() + " "
+                                + e.command().getClass().getSimpleName() + " "
+                                + e.command().commandId()
+                                + (e.command() instanceof org.sami.boat.link.UploadWaypoints u
+                                        ? " " + u.listId() + " " + u.waypoints().size()
+                                        : e.command() instanceof StartWaypoints w
+                                                ? " " + w.listId() + " " + w.index()
+                                                : ""))
                         .toList());
                 assertThat(fleet.commandIds(boat)).as(boat).isNotEmpty().doesNotHaveDuplicates();
             }
@@ -112,7 +124,7 @@ class StandbyTakesOverTest {
                 .findFirst()
                 .orElseThrow()
                 .split(",")[0];
-        String lines = "missions\nboats\nwait ended within 300\nmissions\nboats\nhealth\nlog\nquit\n";
+        String lines = "missions\nboats\nwait ended within 50\nmissions\nboats\nhealth\nlog\nquit\n";
         return CommandResult.crw(
                 "session",
                 "--session",

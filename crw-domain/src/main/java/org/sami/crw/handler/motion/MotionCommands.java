@@ -76,7 +76,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
 
     private void check(Activation activation, HandlerContext context, List<Move> moves) {
         List<Move> limited = clearWays.limit(activation, context, moves);
-        List<Move> clear = questions.hold(activation, context, limited, new WayQuestions.Sender() {
+        List<Move> clear = questions.hold(activation, context, limited, new MoveSender() {
             @Override
             public void send(Activation asked, HandlerContext answerTo, List<Move> allowed) {
                 sendNow(asked, answerTo, allowed);

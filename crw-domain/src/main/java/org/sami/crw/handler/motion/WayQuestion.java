@@ -22,11 +22,7 @@ import org.sami.spn.value.BooleanValue;
  * @param doubted the boats that wait; changes when a mission takes them back
  */
 record WayQuestion(
-        DomainQuestion kind,
-        Activation activation,
-        HandlerContext context,
-        WayQuestions.Sender sender,
-        List<Doubted> doubted) {
+        DomainQuestion kind, Activation activation, HandlerContext context, MoveSender sender, List<Doubted> doubted) {
     private static final int NAMED = 3;
 
     /** A move, and what is wrong with its way. */

@@ -55,15 +55,6 @@ public final class WayQuestions implements HostListener {
     private final Map<String, WayQuestion> held = new LinkedHashMap<>(); // by kind and activation
     private final List<WayQuestion> next = new ArrayList<>(); // the same, while an earlier one is open
 
-    /** What becomes of moves that were asked about. */
-    interface Sender {
-        /** The operator wants them, or there is nothing to ask. */
-        void send(Activation activation, HandlerContext context, List<Move> moves);
-
-        /** The operator does not want it. */
-        void refuse(Activation activation, HandlerContext context, Move move, String reason);
-    }
-
     /**
      * Asks about the ways of some boats.
      *
@@ -83,7 +74,7 @@ public final class WayQuestions implements HostListener {
     }
 
     /** Keeps the moves that are doubted and asks about them; the others are returned. */
-    List<Move> hold(Activation activation, HandlerContext context, List<Move> moves, Sender sender) {
+    List<Move> hold(Activation activation, HandlerContext context, List<Move> moves, MoveSender sender) {
         List<Move> clear = new ArrayList<>();
         Map<DomainQuestion, WayQuestion> doubted = new EnumMap<>(DomainQuestion.class);
         List<GeoArea> avoid = moves.isEmpty() ? List.of() : context.query(view -> PlanAreas.avoided(activation, view));
