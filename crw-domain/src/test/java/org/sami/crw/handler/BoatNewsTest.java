@@ -2,6 +2,7 @@ package org.sami.crw.handler;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
@@ -9,6 +10,7 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.message.OperatorMessage;
+import org.sami.crw.proxy.link.LinkAlarm;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
@@ -70,6 +72,21 @@ class BoatNewsTest extends TwoBoatsOnHandlers {
         assertThat(message.boats()).containsExactly("east");
         assertThat(message.keyword()).isEqualTo("done");
         assertThat(message.priority()).isEqualTo(Priority.HIGH);
+    }
+
+    @Test
+    void whatABoatSaysIsWrongReachesTheOperatorAndIsNotReplacedByWhatItSaysNext() {
+        InetSocketAddress at = InetSocketAddress.createUnresolved("here", 1);
+        for (String text : List.of("east is taken by a pilot", "east refuses the fence")) {
+            world.domain.events().onAlarm(new LinkAlarm(LinkAlarm.Kind.SAID_BY_BOAT, "east", at, text));
+        }
+        world.run(1);
+
+        assertThat(world.operator.messages().messages())
+                .filteredOn(message -> message.boats().equals(List.of("east")))
+                .filteredOn(message -> message.priority() == Priority.HIGH)
+                .extracting(OperatorMessage::text)
+                .containsExactlyInAnyOrder("east is taken by a pilot", "east refuses the fence");
     }
 
     @Test

@@ -47,6 +47,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehicleSettings settings;
     private final VehiclePerformance performance;
     private final VehicleFence fence;
+    private final VehicleAvoidance avoidance;
     private final VehicleFiles files;
     private final VehicleSensors sensors = new VehicleSensors();
     private final OtherHands others = new OtherHands();
@@ -71,6 +72,7 @@ final class VehicleBoat implements BaseSession.Boat {
                 base, first.id(), flies, thread, files.consumption(name), counted -> keep(files, counted));
         fence = new VehicleFence(
                 base, first.id(), flies, thread, this::alarm, files.fences(name), given -> keepFences(files, given));
+        avoidance = new VehicleAvoidance(base, first.id(), thread, this::alarm);
         orders = new AutopilotCommands(
                 name,
                 base,
@@ -311,6 +313,9 @@ final class VehicleBoat implements BaseSession.Boat {
         broadcast(orders.settings());
         Progress progress = orders.progress();
         broadcast(progress);
+        if (!flies) { // copters are not steered around others
+            avoidance.read();
+        }
     }
 
     @Override

@@ -109,7 +109,9 @@ final class FleetListener implements BaseListener {
 
     @Override
     public void onAlarm(LinkAlarm alarm) {
-        messages.ofLink(nowMillis.getAsLong(), "ALARM: " + alarm.text());
+        if (alarm.kind() != LinkAlarm.Kind.SAID_BY_BOAT) { // which becomes a message to the operator
+            messages.ofLink(nowMillis.getAsLong(), "ALARM: " + alarm.text());
+        }
         events.onAlarm(alarm);
     }
 

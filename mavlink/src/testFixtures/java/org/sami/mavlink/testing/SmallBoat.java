@@ -226,6 +226,11 @@ public final class SmallBoat implements AutoCloseable {
         return parameters.get(name);
     }
 
+    /** Somebody sets one of its parameters on board. */
+    public synchronized void parameter(String name, float value) {
+        parameters.put(name, value);
+    }
+
     /** Somebody with a radio changes its mode, and maybe arms it. */
     public synchronized void takenByPilot(int newMode, boolean nowArmed) {
         mode = newMode;

@@ -14,6 +14,7 @@ import org.sami.crw.handler.subscription.BatterySubscriptions;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.link.LinkAlarm;
 import org.sami.crw.proxy.link.LinkLosses;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatStatus;
@@ -69,6 +70,9 @@ public final class BoatNews implements Consumer<FleetEvent> {
             onHoldsPlace(held.boat(), held.givenUp());
         } else if (event instanceof FleetEvent.Refused refused) {
             onRefused(refused.boat(), refused.reason());
+        } else if (event instanceof FleetEvent.LinkAlarmed alarmed
+                && alarmed.alarm().kind() == LinkAlarm.Kind.SAID_BY_BOAT) {
+            onSaid(alarmed.alarm());
         } else if (event instanceof FleetEvent.ListenerFault fault) {
             onListenerFault(fault.listener(), fault.cause());
         }
@@ -160,6 +164,18 @@ public final class BoatNews implements Consumer<FleetEvent> {
 
     private void onRefused(String boatId, String reason) {
         tell(boatId, Priority.HIGH, boatId + " refuses: " + reason);
+    }
+
+    /** No later one takes its place: each says something else, and none says when it is over. */
+    private void onSaid(LinkAlarm said) {
+        messages.tell(new OperatorMessage(
+                host.nowMillis(),
+                Ids.NONE,
+                OperatorMessage.Source.DOMAIN,
+                Priority.HIGH,
+                said.text(),
+                said.boatId().isEmpty() ? List.of() : List.of(said.boatId()),
+                ""));
     }
 
     /** Said once of each fault: a listener that fails may do so with every pose. */
