@@ -32,7 +32,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "The key with which the vehicles of other makers in this base's fleet sign (MAVLink 2 signing): made"
-                    + " where there is none, and shown by its fingerprint. crw keys export and import take it along.")
+                        + " where there is none, and shown by its fingerprint. crw keys export and import take it along.")
 final class FleetKeyCommand implements Callable<Integer> {
     private static final int LISTEN_S = 5;
 

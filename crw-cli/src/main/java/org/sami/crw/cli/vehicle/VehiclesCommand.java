@@ -43,7 +43,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Lists the vehicles of other makers (ArduPilot boats, copters) that speak MAVLink at these addresses:"
-                    + " mode, position, battery, GPS, and how well each link hears them. Moves and changes nothing.",
+                        + " mode, position, battery, GPS, and how well each link hears them. Moves and changes nothing.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:every link brought a vehicle",
