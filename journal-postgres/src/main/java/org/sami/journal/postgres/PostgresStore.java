@@ -1,8 +1,6 @@
 package org.sami.journal.postgres;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.UnknownHostException;
 import java.sql.Connection;
 import java.sql.PreparedStatement;
 import java.sql.SQLException;
@@ -28,7 +26,7 @@ public final class PostgresStore implements JournalStore {
 
     /** With the terms of a session, for this process. */
     public PostgresStore() {
-        this(LeaseTerms.STANDARD, thisProcess(), System::nanoTime);
+        this(LeaseTerms.STANDARD, ProcessName.ofThisProcess(), System::nanoTime);
     }
 
     /**
@@ -41,16 +39,6 @@ public final class PostgresStore implements JournalStore {
         this.terms = terms;
         this.holder = holder;
         this.nanos = nanos;
-    }
-
-    private static String thisProcess() {
-        String host;
-        try {
-            host = InetAddress.getLocalHost().getHostName();
-        } catch (UnknownHostException unnamed) {
-            host = "a computer without a name";
-        }
-        return host + " (process " + ProcessHandle.current().pid() + ")";
     }
 
     @Override

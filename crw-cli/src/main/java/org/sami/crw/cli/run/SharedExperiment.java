@@ -2,8 +2,6 @@ package org.sami.crw.cli.run;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.net.InetAddress;
-import java.net.UnknownHostException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +14,7 @@ import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.report.ReportWords;
 import org.sami.crw.sim.experiment.Portions;
 import org.sami.journal.postgres.PostgresAddress;
+import org.sami.journal.postgres.ProcessName;
 import org.sami.work.postgres.OtherWorkException;
 import org.sami.work.postgres.RunLoop;
 import org.sami.work.postgres.SharedRuns;
@@ -58,7 +57,7 @@ final class SharedExperiment {
     <R> List<R> rows(String name, Portions<R> portions, Map<String, String> settings, int threads, BooleanSupplier stop)
             throws IOException {
         SharedWork work = new SharedWork(name, portions.count(), settings);
-        try (SharedRuns runs = SharedRuns.join(address, work, thisProcess(), SharedRuns.LEASE)) {
+        try (SharedRuns runs = SharedRuns.join(address, work, ProcessName.ofThisProcess(), SharedRuns.LEASE)) {
             beganNanos = System.nanoTime();
             RunLoop.work(runs, threads, portion -> portions.make(portion, stop), stop, this::show);
             progress.end();
@@ -72,16 +71,6 @@ final class SharedExperiment {
                     + " is another one; join it with its settings, or name another schema:\n  "
                     + String.join("\n  ", other.differences()));
         }
-    }
-
-    private static String thisProcess() {
-        String host;
-        try {
-            host = InetAddress.getLocalHost().getHostName();
-        } catch (UnknownHostException unnamed) {
-            host = "a computer without a name";
-        }
-        return host + " (process " + ProcessHandle.current().pid() + ")";
     }
 
     private void show(Standing standing) {
