@@ -36,9 +36,11 @@ public final class Connections {
         }
     }
 
-    /** For the lease alone: an answer must come before the lease ends. */
+    /** For the lease alone: an answer must come before the lease ends. Where the database has a standby that it waits for, a lease is renewed once the standby sees it. */
     static Connection toRenew(PostgresAddress address, int seconds) throws SQLException {
-        return connect(address, properties(address, seconds));
+        Properties properties = properties(address, seconds);
+        properties.setProperty("options", "-c synchronous_commit=remote_apply");
+        return connect(address, properties);
     }
 
     /** For a reader, which sees the journal as it was when it began. */

@@ -55,7 +55,8 @@ final class Lease implements AutoCloseable {
     }
 
     /**
-     * Takes the lease. Where another holds it this waits for its end, as a process that died leaves it behind; one that lives renews it meanwhile.
+     * Takes the lease. Where another holds it this waits for its end, as a process that died leaves it behind; one that lives renews it meanwhile. It is over by the database's clock, or where
+     * it stood still for its whole length: that clock may have been set back.
      *
      * @param holder how this process is called to others
      * @param nanos a clock that does not jump
@@ -65,23 +66,28 @@ final class Lease implements AutoCloseable {
             throws SQLException, JournalException, InterruptedIOException {
         Connection connection = Connections.toRenew(address, ANSWER_SECONDS);
         try {
-            Optional<String> firstEnd = Optional.empty();
+            Optional<LeaseTable.Holder> first = Optional.empty();
+            long began = nanos.getAsLong();
             while (true) {
                 long asked = nanos.getAsLong();
-                OptionalLong epoch = LeaseTable.take(connection, holder, terms.length());
+                boolean stoodStill =
+                        first.isPresent() && asked - began >= terms.length().toNanos();
+                OptionalLong epoch = stoodStill
+                        ? LeaseTable.takeSeen(connection, holder, terms.length(), first.get())
+                        : LeaseTable.take(connection, holder, terms.length());
                 if (epoch.isPresent()) {
                     return new Lease(address, terms, nanos, epoch.getAsLong(), connection, asked);
                 }
                 Optional<LeaseTable.Holder> other = LeaseTable.holder(connection);
                 if (other.isPresent()) {
-                    String end = other.get().ends();
-                    if (firstEnd.isPresent() && !firstEnd.get().equals(end)) {
+                    if (first.isPresent()
+                            && !first.get().ends().equals(other.get().ends())) {
                         throw new JournalException(
                                 address.words(),
                                 0,
                                 "is being written already, by " + other.get().words());
                     }
-                    firstEnd = Optional.of(end);
+                    first = first.or(() -> other);
                     pause(other.get().left());
                 }
             }
@@ -100,10 +106,15 @@ final class Lease implements AutoCloseable {
      */
     static Optional<Lease> takeIfFree(PostgresAddress address, LeaseTerms terms, String holder, LongSupplier nanos)
             throws SQLException {
+        return takeOnce(address, terms, nanos, connection -> LeaseTable.take(connection, holder, terms.length()));
+    }
+
+    private static Optional<Lease> takeOnce(
+            PostgresAddress address, LeaseTerms terms, LongSupplier nanos, Taking taking) throws SQLException {
         Connection connection = Connections.toRenew(address, ANSWER_SECONDS);
         try {
             long asked = nanos.getAsLong();
-            OptionalLong epoch = LeaseTable.take(connection, holder, terms.length());
+            OptionalLong epoch = taking.take(connection);
             if (epoch.isEmpty()) {
                 Connections.drop(connection);
                 return Optional.empty();
@@ -113,6 +124,25 @@ final class Lease implements AutoCloseable {
             Connections.drop(connection);
             throw fault;
         }
+    }
+
+    /**
+     * Takes the lease that was seen standing still, where nobody renewed or took it since.
+     *
+     * @param holder how this process is called to others
+     * @param nanos a clock that does not jump
+     * @return empty if somebody did
+     */
+    static Optional<Lease> takeSeen(
+            PostgresAddress address, LeaseTerms terms, String holder, LongSupplier nanos, LeaseTable.Holder seen)
+            throws SQLException {
+        return takeOnce(
+                address, terms, nanos, connection -> LeaseTable.takeSeen(connection, holder, terms.length(), seen));
+    }
+
+    @FunctionalInterface
+    private interface Taking {
+        OptionalLong take(Connection connection) throws SQLException;
     }
 
     private static void pause(Duration left) throws InterruptedIOException {

@@ -9,8 +9,9 @@ import java.util.Optional;
 import java.util.OptionalLong;
 
 /**
- * The row that says who may write, by the database's clock alone. Its epoch only grows: with each holder by one. Whoever appends locks the row's key in the transaction of the append; whoever
- * takes over changes the key. So a take-over waits for appends under way, and an append behind it finds no row of its epoch.
+ * The row that says who may write. Its epoch only grows: with each holder, and by more where a standby became the database. Whoever appends locks the row's key in the transaction of the
+ * append; whoever takes over changes the key. So a take-over waits for appends under way, and an append behind it finds no row of its epoch. What counts is the clock of the one database that
+ * all bases ask; where two databases have the row, as one replicates the other, a standby judges it by {@link LeaseSight}.
  */
 final class LeaseTable {
     /** How a lease stands. */
@@ -24,37 +25,79 @@ final class LeaseTable {
     /**
      * Who holds it.
      *
-     * @param left how long it lasts still; not positive where it is over
-     * @param ends when it is over, by the database's clock
+     * @param left how long it lasts still, by the database's clock; not positive where it is over
+     * @param ends when it is over, by the clock of the database that wrote it; {@link #GIVEN_BACK} where it was given back
      * @param since when it was taken, for people
+     * @param standbyMayTake whether the holder counts on a standby on another machine, which then may go on by itself
      */
-    record Holder(long epoch, String name, Duration left, String ends, String since) {
+    record Holder(long epoch, String name, Duration left, String ends, String since, boolean standbyMayTake) {
         /** For people. */
         String words() {
             return name + " since " + since + " (epoch " + epoch + ")";
         }
+
+        /** Whether its holder gave it back, so that it is over by every clock. */
+        boolean isGivenBack() {
+            return ends.equals(GIVEN_BACK);
+        }
     }
+
+    private static final String GIVEN_BACK = "-infinity";
+
+    /** In the database of a pair: the standby may go on by itself, and is counted on at present. */
+    private static final String STANDBY_MAY_TAKE = "(current_setting('synchronous_standby_names') <> ''"
+            + " AND coalesce(current_setting('" + PairSetting.NAME + "', true), '') = '" + PairSetting.TAKE_OVER
+            + "')";
+
+    /**
+     * The epoch of the next holder. Where a standby became the database, its timeline grew: its epochs are higher than any that the database which it left can still give, however often
+     * somebody goes on there.
+     */
+    private static final String NEXT_EPOCH = "CASE WHEN coalesce(current_setting('" + PairSetting.NAME
+            + "', true), '') = '' THEN epoch + 1 ELSE greatest(epoch + 1, 1 + " + PairSetting.EPOCHS_OF_A_TIMELINE
+            + " * (('x' || substr(pg_walfile_name(pg_current_wal_lsn()), 1, 8))::bit(32)::bigint - 1)) END";
 
     private LeaseTable() {}
 
-    /** Takes the lease where it is over; gives its epoch. */
+    /** Takes the lease where it is over by the database's clock; gives its epoch. */
     static OptionalLong take(Connection connection, String holder, Duration length) throws SQLException {
-        try (PreparedStatement update = connection.prepareStatement(
-                "WITH now AS (SELECT clock_timestamp() AS t), taken AS (UPDATE lease SET epoch = epoch + 1, holder = ?, taken = now.t,"
-                        + " ends = now.t + ? * interval '1 ms' FROM now WHERE ends <= now.t RETURNING epoch, holder, taken)"
-                        + " INSERT INTO holders SELECT epoch, holder, taken FROM taken RETURNING epoch")) {
+        try (PreparedStatement update = connection.prepareStatement(taking("ends <= now.t"))) {
             update.setString(1, holder);
             update.setLong(2, length.toMillis());
-            try (ResultSet rows = update.executeQuery()) {
-                return rows.next() ? OptionalLong.of(rows.getLong(1)) : OptionalLong.empty();
-            }
+            return epoch(update);
+        }
+    }
+
+    /** Takes the lease that somebody saw standing still for longer than it lasts, where nobody renewed or took it since; gives its epoch. */
+    static OptionalLong takeSeen(Connection connection, String holder, Duration length, Holder seen)
+            throws SQLException {
+        try (PreparedStatement update = connection.prepareStatement(taking("epoch = ? AND ends = ?::timestamptz"))) {
+            update.setString(1, holder);
+            update.setLong(2, length.toMillis());
+            update.setLong(3, seen.epoch());
+            update.setString(4, seen.ends());
+            return epoch(update);
+        }
+    }
+
+    private static String taking(String condition) {
+        return "WITH now AS (SELECT clock_timestamp() AS t), taken AS (UPDATE lease SET epoch = " + NEXT_EPOCH
+                + ", holder = ?, taken = now.t, ends = now.t + ? * interval '1 ms', standby_may_take = "
+                + STANDBY_MAY_TAKE + " FROM now WHERE " + condition + " RETURNING epoch, holder, taken)"
+                + " INSERT INTO holders SELECT epoch, holder, taken FROM taken RETURNING epoch";
+    }
+
+    private static OptionalLong epoch(PreparedStatement update) throws SQLException {
+        try (ResultSet rows = update.executeQuery()) {
+            return rows.next() ? OptionalLong.of(rows.getLong(1)) : OptionalLong.empty();
         }
     }
 
     /** Lets it last longer, also where it was over and nobody has taken it; false if somebody has. */
     static boolean renew(Connection connection, long epoch, Duration length) throws SQLException {
-        try (PreparedStatement update = connection.prepareStatement(
-                "UPDATE lease SET ends = clock_timestamp() + ? * interval '1 ms' WHERE epoch = ?")) {
+        try (PreparedStatement update =
+                connection.prepareStatement("UPDATE lease SET ends = clock_timestamp() + ? * interval '1 ms',"
+                        + " standby_may_take = " + STANDBY_MAY_TAKE + " WHERE epoch = ?")) {
             update.setLong(1, length.toMillis());
             update.setLong(2, epoch);
             return update.executeUpdate() == 1;
@@ -75,20 +118,41 @@ final class LeaseTable {
         }
     }
 
-    /** Ends it now. */
+    /** Gives it back: it is over now, by every clock. */
     static void release(Connection connection, long epoch) throws SQLException {
         try (PreparedStatement update =
-                connection.prepareStatement("UPDATE lease SET ends = clock_timestamp() WHERE epoch = ?")) {
+                connection.prepareStatement("UPDATE lease SET ends = '" + GIVEN_BACK + "' WHERE epoch = ?")) {
             update.setLong(1, epoch);
             update.executeUpdate();
         }
     }
 
+    /**
+     * Takes it from its holder, who finds out with its next renewal or append, and leaves it to the base that waits.
+     *
+     * @param by who does it, as the replaced base is told
+     * @return who held it; empty where nobody did
+     */
+    static Optional<Holder> takeAway(Connection connection, String by) throws SQLException {
+        Optional<Holder> holder = holder(connection);
+        if (holder.isEmpty() || holder.get().isGivenBack()) {
+            return Optional.empty();
+        }
+        try (PreparedStatement update = connection.prepareStatement(
+                "WITH taken AS (UPDATE lease SET epoch = epoch + 1, holder = ?, taken = clock_timestamp(), ends = '"
+                        + GIVEN_BACK + "' WHERE epoch = ? RETURNING epoch, holder, taken)"
+                        + " INSERT INTO holders SELECT epoch, holder, taken FROM taken")) {
+            update.setString(1, by);
+            update.setLong(2, holder.get().epoch());
+            return update.executeUpdate() == 1 ? holder : Optional.empty();
+        }
+    }
+
     /** Who has it, or had it last; empty where nobody ever had. */
     static Optional<Holder> holder(Connection connection) throws SQLException {
-        try (PreparedStatement select = connection.prepareStatement(
-                        "SELECT epoch, holder, round(1000 * extract(epoch FROM ends - clock_timestamp())),"
-                                + " ends::text, to_char(taken, 'HH24:MI:SS') FROM lease WHERE epoch > 0");
+        try (PreparedStatement select = connection.prepareStatement("SELECT epoch, holder, CASE WHEN isfinite(ends)"
+                        + " THEN round(1000 * extract(epoch FROM ends - clock_timestamp())) ELSE 0 END,"
+                        + " ends::text, to_char(taken, 'HH24:MI:SS'), standby_may_take FROM lease WHERE epoch > 0");
                 ResultSet rows = select.executeQuery()) {
             return rows.next()
                     ? Optional.of(new Holder(
@@ -96,7 +160,8 @@ final class LeaseTable {
                             rows.getString(2),
                             Duration.ofMillis(rows.getLong(3)),
                             rows.getString(4),
-                            rows.getString(5)))
+                            rows.getString(5),
+                            rows.getBoolean(6)))
                     : Optional.empty();
         }
     }

@@ -7,38 +7,51 @@ import java.sql.SQLException;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 
-/** Waits for the end of another's lease and takes it then; of several that wait, the others go on waiting. A database that is gone meanwhile is asked again until it answers. */
+/**
+ * Waits for the end of another's lease and takes it then; of several that wait, the others go on waiting. A database that is gone meanwhile is asked again until it answers. Where the database
+ * is one of a pair, the lease is judged by {@link LeaseSight}, and a replica becomes the database before the lease is taken.
+ */
 final class LeaseWatch {
     private static final long LOOK_MILLIS = 200;
     private static final int ANSWER_SECONDS = 2;
+    private static final int PROMOTION_SECONDS = 30;
 
     private final PostgresAddress address;
     private final Taking taking;
+    private final LongSupplier nanos;
+    private final LeaseSight sight;
     private final Consumer<String> lines;
     private String said = "";
     private boolean answered;
 
     /** How a lease that is over is taken. */
-    @FunctionalInterface
     interface Taking {
-        /** Takes it; empty if another was faster. */
-        Optional<Lease> take() throws SQLException;
+        /** Takes it where it is over by the database's clock; empty if another was faster. */
+        Optional<Lease> takeIfFree() throws SQLException;
+
+        /** Takes it as it was seen standing still; empty if somebody renewed or took it. */
+        Optional<Lease> takeSeen(LeaseTable.Holder seen) throws SQLException;
     }
 
     /**
      * A watch that has not begun.
      *
+     * @param terms how long a lease lasts
+     * @param nanos a clock that does not jump
      * @param lines what it waits for, for people; each line once in a row
      */
-    LeaseWatch(PostgresAddress address, Taking taking, Consumer<String> lines) {
+    LeaseWatch(PostgresAddress address, LeaseTerms terms, LongSupplier nanos, Taking taking, Consumer<String> lines) {
         this.address = address;
+        this.nanos = nanos;
+        this.sight = new LeaseSight(terms.length());
         this.taking = taking;
         this.lines = lines;
     }
 
     /**
-     * Returns once the journal had a lease, it is over by the database's clock, and this process has taken it.
+     * Returns once the journal had a lease, it is over, and this process has taken it.
      *
      * @throws IOException if the database refuses the first connection
      * @throws InterruptedIOException if the thread is interrupted
@@ -46,8 +59,7 @@ final class LeaseWatch {
     Lease await() throws IOException {
         while (true) {
             try {
-                awaitEnd();
-                Optional<Lease> taken = taking.take();
+                Optional<Lease> taken = awaitEnd();
                 if (taken.isPresent()) {
                     return taken.get();
                 }
@@ -55,33 +67,71 @@ final class LeaseWatch {
                 if (!answered) {
                     throw DatabaseFaults.of(address, 0, "cannot be read", fault);
                 }
+                sight.forget();
                 say("the database does not answer: " + DatabaseFaults.words(fault));
                 pause();
             }
         }
     }
 
-    private void awaitEnd() throws SQLException, InterruptedIOException {
+    private Optional<Lease> awaitEnd() throws SQLException, InterruptedIOException {
         try (Connection connection = Connections.toRenew(address, ANSWER_SECONDS)) {
             answered = true;
-            while (!isOver(connection)) {
+            boolean ofAPair = isOfAPair(connection);
+            while (true) {
+                Optional<LeaseTable.Holder> holder =
+                        Migrations.isThere(connection, address) ? LeaseTable.holder(connection) : Optional.empty();
+                if (holder.isEmpty()) {
+                    say("nobody has begun the session");
+                } else if (ofAPair) {
+                    if (isOver(holder.get())) {
+                        promote(connection);
+                        return taking.takeSeen(holder.get());
+                    }
+                } else if (holder.get().left().isNegative()
+                        || holder.get().left().isZero()) {
+                    return taking.takeIfFree();
+                } else {
+                    say("the session is held by " + holder.get().words());
+                }
                 pause();
             }
         }
     }
 
-    private boolean isOver(Connection connection) throws SQLException {
-        Optional<LeaseTable.Holder> holder =
-                Migrations.isThere(connection, address) ? LeaseTable.holder(connection) : Optional.empty();
-        if (holder.isEmpty()) {
-            say("nobody has begun the session");
-            return false;
+    private static boolean isOfAPair(Connection connection) throws SQLException {
+        return !Connections.text(connection, "SELECT current_setting('" + PairSetting.NAME + "', true)")
+                .isEmpty();
+    }
+
+    private boolean isOver(LeaseTable.Holder holder) {
+        return switch (sight.look(holder, nanos.getAsLong())) {
+            case OVER -> true;
+            case HELD -> {
+                say("the session is held by " + holder.words());
+                yield false;
+            }
+            case STANDS_STILL -> {
+                say("nothing comes from " + holder.words()
+                        + ", who may go on without this base: if not, 'crw take-over'");
+                yield false;
+            }
+        };
+    }
+
+    /** Has a replica become the database. */
+    private void promote(Connection connection) throws SQLException {
+        if (!Connections.text(connection, "SELECT pg_is_in_recovery()").equals("t")) {
+            return;
         }
-        if (holder.get().left().isNegative() || holder.get().left().isZero()) {
-            return true;
+        say("this base's replica becomes the database");
+        Connection longer = Connections.toRenew(address, PROMOTION_SECONDS);
+        try (longer) {
+            if (!Connections.text(longer, "SELECT pg_promote(true, " + PROMOTION_SECONDS + ")")
+                    .equals("t")) {
+                throw new SQLException("the replica did not become the database within " + PROMOTION_SECONDS + " s");
+            }
         }
-        say("the session is held by " + holder.get().words());
-        return false;
     }
 
     private void say(String line) {

@@ -14,7 +14,7 @@ import org.sami.spn.host.JournalException;
  */
 final class Migrations {
     /** The version that this program writes and reads. */
-    static final int CURRENT = 1;
+    static final int CURRENT = 2;
 
     private Migrations() {}
 
@@ -36,7 +36,8 @@ final class Migrations {
             }
             Connections.run(
                     connection,
-                    "CREATE TABLE schema_version (version int PRIMARY KEY, applied timestamptz NOT NULL DEFAULT now())");
+                    "CREATE TABLE schema_version (version int PRIMARY KEY, applied timestamptz NOT NULL DEFAULT"
+                            + " now())");
         }
         for (int next = version(connection, address) + 1; next <= CURRENT; next++) {
             Connections.run(connection, script(next));

@@ -91,7 +91,7 @@ public final class PostgresStore implements JournalStore {
     @Override
     public PostgresJournal takeOver(String text, JournalOptions options, Consumer<String> lines) throws IOException {
         PostgresAddress address = PostgresAddress.parse(text);
-        Lease lease = new LeaseWatch(address, () -> Lease.takeIfFree(address, terms, holder, nanos), lines).await();
+        Lease lease = new LeaseWatch(address, terms, nanos, taking(address), lines).await();
         try {
             lines.accept("nobody held the session any more; this base has taken it");
             return open(address, options, () -> lease);
@@ -99,6 +99,20 @@ public final class PostgresStore implements JournalStore {
             lease.close();
             throw fault;
         }
+    }
+
+    private LeaseWatch.Taking taking(PostgresAddress address) {
+        return new LeaseWatch.Taking() {
+            @Override
+            public Optional<Lease> takeIfFree() throws SQLException {
+                return Lease.takeIfFree(address, terms, holder, nanos);
+            }
+
+            @Override
+            public Optional<Lease> takeSeen(LeaseTable.Holder seen) throws SQLException {
+                return Lease.takeSeen(address, terms, holder, nanos, seen);
+            }
+        };
     }
 
     /** How a lease comes about. */

@@ -7,6 +7,8 @@ import io.zonky.test.db.postgres.embedded.EmbeddedPostgres;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
+import java.sql.SQLException;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutorService;
@@ -130,11 +132,21 @@ class LeaseWatchTest {
                     new LeaseTerms(Journals.OWN_LIMIT.multipliedBy(2), Journals.OWN_LIMIT, Journals.OWN_LIMIT);
             LeaseWatch late = new LeaseWatch(
                     parsed,
-                    () -> {
-                        if (!faster.isDone()) {
-                            faster.complete(open("laptop-2")); // between the look and the take
+                    terms,
+                    System::nanoTime,
+                    new LeaseWatch.Taking() {
+                        @Override
+                        public Optional<Lease> takeIfFree() throws SQLException {
+                            if (!faster.isDone()) {
+                                faster.complete(open("laptop-2")); // between the look and the take
+                            }
+                            return Lease.takeIfFree(parsed, terms, "laptop-3", System::nanoTime);
                         }
-                        return Lease.takeIfFree(parsed, terms, "laptop-3", System::nanoTime);
+
+                        @Override
+                        public Optional<Lease> takeSeen(LeaseTable.Holder seen) {
+                            throw new AssertionError("this database is none of a pair");
+                        }
                     },
                     lines::add);
             Future<Lease> waiting = thread.submit(late::await);

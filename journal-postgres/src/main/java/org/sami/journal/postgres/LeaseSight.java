@@ -1,0 +1,62 @@
+package org.sami.journal.postgres;
+
+import java.time.Duration;
+import java.util.Optional;
+
+/**
+ * Judges a lease by how long its row stands still before the eyes of a standby: where the row comes from another machine's database, that machine's clock says nothing here. The standby looks
+ * by its own monotonic clock. A holder renews the row and asks that the replica has applied it; its own limit counts from before it asked, so it is over before this says so.
+ */
+final class LeaseSight {
+    private final Duration length;
+    private Optional<LeaseTable.Holder> seen = Optional.empty();
+    private long sinceNanos;
+    private boolean renewed;
+
+    /** How a lease looks. */
+    enum Sight {
+        HELD,
+        /** Nobody holds it: it may be taken. */
+        OVER,
+        /** It stands still, but its holder may go on: it did not count on this standby, or this one does not know. */
+        STANDS_STILL
+    }
+
+    /**
+     * Nothing seen yet.
+     *
+     * @param length how long a lease lasts
+     */
+    LeaseSight(Duration length) {
+        this.length = length;
+    }
+
+    /**
+     * Looks at the row.
+     *
+     * @param nowNanos a clock that does not jump
+     */
+    Sight look(LeaseTable.Holder holder, long nowNanos) {
+        boolean changed = seen.isEmpty()
+                || seen.get().epoch() != holder.epoch()
+                || !seen.get().ends().equals(holder.ends());
+        if (changed) {
+            renewed = seen.isPresent();
+            sinceNanos = nowNanos;
+            seen = Optional.of(holder);
+        }
+        if (holder.isGivenBack()) {
+            return Sight.OVER;
+        }
+        if (nowNanos - sinceNanos < length.toNanos()) {
+            return Sight.HELD;
+        }
+        return renewed && holder.standbyMayTake() ? Sight.OVER : Sight.STANDS_STILL;
+    }
+
+    /** What was seen before counts no longer: the database was away, and the holder may have been told to go on alone meanwhile. */
+    void forget() {
+        seen = Optional.empty();
+        renewed = false;
+    }
+}
