@@ -15,7 +15,10 @@ final class LeaseSight {
 
     /** How a lease looks. */
     enum Sight {
+        /** Its holder renews it; this standby could not go on by itself. */
         HELD,
+        /** Its holder renews it, and this standby goes on by itself where that ends. */
+        WATCHED,
         /** Nobody holds it: it may be taken. */
         OVER,
         /** It stands still, but its holder may go on: it did not count on this standby, or this one does not know. */
@@ -48,10 +51,11 @@ final class LeaseSight {
         if (holder.isGivenBack()) {
             return Sight.OVER;
         }
+        boolean mayTake = renewed && holder.standbyMayTake();
         if (nowNanos - sinceNanos < length.toNanos()) {
-            return Sight.HELD;
+            return mayTake ? Sight.WATCHED : Sight.HELD;
         }
-        return renewed && holder.standbyMayTake() ? Sight.OVER : Sight.STANDS_STILL;
+        return mayTake ? Sight.OVER : Sight.STANDS_STILL;
     }
 
     /** What was seen before counts no longer: the database was away, and the holder may have been told to go on alone meanwhile. */

@@ -111,6 +111,10 @@ final class LeaseWatch {
                 say("the session is held by " + holder.words());
                 yield false;
             }
+            case WATCHED -> {
+                say("the session is held by " + holder.words() + "; this base goes on with it by itself");
+                yield false;
+            }
             case STANDS_STILL -> {
                 say("nothing comes from " + holder.words()
                         + ", who may go on without this base: if not, 'crw take-over'");

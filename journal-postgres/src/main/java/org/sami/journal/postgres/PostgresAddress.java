@@ -4,6 +4,7 @@ import java.net.URI;
 import java.net.URISyntaxException;
 import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -13,7 +14,7 @@ import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
- * Where the tables of a journal, or of runs that several machines divide, are in PostgreSQL: {@code postgresql://[USER@]HOST[:PORT]/DATABASE[?PARAMETERS]}. Holds no password: the driver reads that from the user's password file.
+ * Where the tables of a journal, or of runs that several machines divide, are in PostgreSQL: {@code postgresql://[USER@]HOST[:PORT]/DATABASE[?PARAMETERS]}. Holds no password: the driver reads that from the user's password file, or from the one that the parameter {@code passfile} names.
  *
  * @param text as the user wrote it
  * @param schema of the tables, so that a database can hold several journals
@@ -28,7 +29,8 @@ public record PostgresAddress(
     private static final Pattern SCHEMA = Pattern.compile("[a-z_][a-z0-9_]{0,62}");
     private static final Pattern DATABASE = Pattern.compile("[A-Za-z0-9_.-]+");
     private static final Pattern LITERAL = Pattern.compile("127\\.\\d+\\.\\d+\\.\\d+|\\[(0*:)*:?0*1]");
-    private static final Set<String> KNOWN = Set.of("user", "schema", "sslmode", "sslrootcert", "sslcert", "sslkey");
+    private static final Set<String> KNOWN =
+            Set.of("user", "schema", "passfile", "sslmode", "sslrootcert", "sslcert", "sslkey");
     private static final Set<String> VERIFYING = Set.of("verify-full", "verify-ca");
 
     private static final String FORM = "an address in PostgreSQL is postgresql://HOST:PORT/DATABASE?user=NAME";
@@ -94,8 +96,8 @@ public record PostgresAddress(
             }
             if (equal < 0 || !KNOWN.contains(name)) {
                 throw new IllegalArgumentException(
-                        FORM + "; its parameters are user, schema, sslmode, sslrootcert, sslcert"
-                                + " and sslkey, each with = and a value");
+                        FORM + "; its parameters are user, schema, passfile, sslmode, sslrootcert,"
+                                + " sslcert and sslkey, each with = and a value");
             }
             parameters.put(name, URLDecoder.decode(part.substring(equal + 1), StandardCharsets.UTF_8));
         }
@@ -121,11 +123,15 @@ public record PostgresAddress(
         return "jdbc:postgresql://" + host + ":" + port + "/" + database;
     }
 
-    /** What the driver is to do, without a password. */
+    /** What the driver is to do. Holds a password only where the address names a file of passwords: the driver itself knows one such file for the whole process. */
     public Properties properties() {
         Properties properties = new Properties();
         properties.setProperty("sslmode", isLoopback() ? "prefer" : "verify-full");
         parameters.forEach(properties::setProperty);
+        if (properties.remove("passfile") instanceof String file) {
+            PasswordFile.password(Path.of(file), host, port, database, parameters.getOrDefault("user", ""))
+                    .ifPresent(password -> properties.setProperty("password", password));
+        }
         if ("system".equals(parameters.get("sslrootcert"))) {
             properties.remove("sslrootcert");
             properties.setProperty("sslfactory", "org.postgresql.ssl.DefaultJavaSSLFactory");

@@ -1,0 +1,39 @@
+package org.sami.journal.postgres;
+
+import java.sql.Connection;
+import java.sql.SQLException;
+import java.util.Optional;
+
+/** Takes a session from the base that holds it, at a person's word, for the base that waits as its standby. */
+public final class TakeOver {
+    private static final int ANSWER_SECONDS = 8;
+
+    private TakeOver() {}
+
+    /**
+     * Takes the lease of a journal from its holder, which stops commanding with its next renewal, and leaves it to the base that waits. Where the database has a standby that it waits for,
+     * returns once the standby has all of it.
+     *
+     * @return who held it, for people; empty where nobody did, so that a base that waits goes on anyway
+     * @throws SQLException if the database is not reached, or does not allow it
+     */
+    public static Optional<String> takeAway(PostgresAddress address) throws SQLException {
+        try (Connection connection = Connections.toRenew(address, ANSWER_SECONDS)) {
+            return Migrations.isThere(connection, address)
+                    ? LeaseTable.takeAway(connection, "crw take-over of " + ProcessName.ofThisProcess())
+                            .map(LeaseTable.Holder::words)
+                    : Optional.empty();
+        }
+    }
+
+    /** Who holds a journal, for people; empty where nobody does, by what the database knows. */
+    public static Optional<String> holder(PostgresAddress address) throws SQLException {
+        try (Connection connection = Connections.toRenew(address, ANSWER_SECONDS)) {
+            return Migrations.isThere(connection, address)
+                    ? LeaseTable.holder(connection)
+                            .filter(holder -> !holder.isGivenBack())
+                            .map(LeaseTable.Holder::words)
+                    : Optional.empty();
+        }
+    }
+}

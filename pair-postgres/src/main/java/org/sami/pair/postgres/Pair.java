@@ -1,0 +1,210 @@
+package org.sami.pair.postgres;
+
+import java.io.IOException;
+import java.sql.Connection;
+import java.sql.SQLException;
+import java.time.Clock;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.sami.journal.postgres.DatabaseFaults;
+import org.sami.journal.postgres.PostgresAddress;
+import org.sami.journal.postgres.TakeOver;
+
+/** This base as one of a pair: what it is at present, and what a person asks of it. Each call asks databases, some of another machine: for no event thread. */
+public final class Pair {
+    private static final int PROMOTION_SECONDS = 30;
+
+    private final PairFolder folder;
+    private final PairSettings settings;
+    private final PairConnections connections;
+
+    /** What this base's database is. */
+    public enum Part {
+        /** The session is written here. */
+        DATABASE,
+        /** It follows the other base's. */
+        REPLICA
+    }
+
+    private Pair(PairFolder folder, PairSettings settings) {
+        this.folder = folder;
+        this.settings = settings;
+        this.connections = new PairConnections(folder, settings);
+    }
+
+    /**
+     * The pair of a folder; its database of this base is started where it does not run.
+     *
+     * @throws PairException if there is no pair, or the database does not start
+     */
+    public static Pair open(PairFolder folder) throws IOException {
+        Pair pair = new Pair(folder, folder.settings());
+        PairDatabase database = PairDatabase.of(folder);
+        if (!database.isRunning()) {
+            database.start();
+        }
+        return pair;
+    }
+
+    /** How this base sees it. */
+    public PairSettings settings() {
+        return settings;
+    }
+
+    /** Where the journal of a session is: a name for each. */
+    public PostgresAddress journal(String name) {
+        return connections.journal(name);
+    }
+
+    /** What this base's database is. */
+    public Part part() throws PairException {
+        return own(connection -> Replication.isReplica(connection) ? Part.REPLICA : Part.DATABASE);
+    }
+
+    /**
+     * What this base does in the pair at present.
+     *
+     * @throws PairException if this base must not hold a session: the other went on with it, or may have
+     */
+    public Part checkedPart() throws PairException {
+        if (part() == Part.REPLICA) {
+            return Part.REPLICA;
+        }
+        int timeline = own(Replication::timeline);
+        boolean waits = own(Replication::waitsForStandby);
+        try (Connection other = connections.other()) {
+            if (!Replication.isReplica(other) && Replication.timeline(other) > timeline) {
+                throw new PairException(settings.other()
+                        + " took the session over: this base comes back as its standby by 'crw pair rejoin'");
+            }
+        } catch (SQLException silent) {
+            if (waits && settings.whenCut() == WhenCut.TAKE_OVER) {
+                throw new PairException(settings.other() + " does not answer (" + DatabaseFaults.words(silent)
+                        + ") and may have gone on with the session. If it has not, and is off: crw pair alone");
+            }
+        }
+        return Part.DATABASE;
+    }
+
+    /** How this base and the other stand, for people: a line each. */
+    public String standing() throws PairException {
+        StringBuilder text = new StringBuilder();
+        text.append("when cut: ")
+                .append(
+                        settings.whenCut() == WhenCut.TAKE_OVER
+                                ? "the standby goes on by itself, and the other base stops before that"
+                                : "the base that has the session goes on, the standby only by 'crw take-over'")
+                .append(System.lineSeparator());
+        text.append("this base, ").append(settings.here()).append(": ").append(this.<String>own(Pair::standing));
+        text.append(System.lineSeparator())
+                .append("the other, ")
+                .append(settings.other())
+                .append(": ");
+        try (Connection other = connections.other()) {
+            text.append(standing(other));
+        } catch (SQLException silent) {
+            text.append("does not answer: ").append(DatabaseFaults.words(silent));
+        }
+        return text.toString();
+    }
+
+    private static String standing(Connection connection) throws SQLException {
+        if (Replication.isReplica(connection)) {
+            return "replica, the last it received at "
+                    + Replication.lastReceived(connection).orElse("no time: nothing yet");
+        }
+        StandbyLook look = Replication.standby(connection);
+        String standby = !look.isConnected()
+                ? "no standby answers"
+                : look.isStreaming()
+                        ? "its standby follows, " + look.behindBytes() + " bytes behind"
+                        : "its standby catches up";
+        return "database of the session, " + (Replication.waitsForStandby(connection) ? "protected: " : "alone: ")
+                + standby;
+    }
+
+    /**
+     * Has this base go on without its standby, at the word of a person who knows that the other does not go on.
+     *
+     * @throws PairException if this base is the standby
+     */
+    public void goAlone() throws PairException {
+        if (part() == Part.REPLICA) {
+            throw new PairException(
+                    "this base is the standby: it goes on with the session by itself, or by 'crw take-over'");
+        }
+        own(connection -> {
+            StandbySign.write(connection, true); // it is waited for again once it says that it is there
+            Replication.setWaitsForStandby(connection, false);
+            return true;
+        });
+    }
+
+    /** Says to the base that has the session that this one stands by for it, or ends in order; false where it is not reached. */
+    public boolean sign(boolean ended) {
+        try (Connection other = connections.other()) {
+            StandbySign.write(other, ended);
+            return true;
+        } catch (SQLException silent) {
+            return false;
+        }
+    }
+
+    /** Looks after the standby while this base holds the session. */
+    public StandbyMonitor monitor(Clock clock, Consumer<String> lines) throws PairException {
+        return StandbyMonitor.start(folder, clock, lines);
+    }
+
+    /** What a take-over at a person's word would lose, for people; empty where nothing is lost, as the other base answers and gives the session away in order. */
+    public Optional<String> lossOfTakeOver() throws PairException {
+        try (Connection other = connections.other()) {
+            if (!Replication.isReplica(other)) {
+                return Optional.empty();
+            }
+        } catch (SQLException silent) {
+            // it is off, or cut
+        }
+        return Optional.of(settings.other() + " does not answer. This base received the last of it at "
+                + own(Replication::lastReceived).orElse("no time: nothing yet")
+                + "; what the other wrote alone after that is lost");
+    }
+
+    /**
+     * Takes the session over at a person's word: from the other base where it answers, else as far as this base has it. The base here that waits for it goes on with it then.
+     *
+     * @param name of the session
+     * @return who held it, for people; empty where nobody did
+     */
+    public Optional<String> takeOver(String name) throws PairException {
+        if (part() == Part.DATABASE) {
+            throw new PairException("this base has the session's database: nothing is to be taken over");
+        }
+        PostgresAddress there = connections.otherJournal(name);
+        try (Connection other = connections.other()) {
+            if (!Replication.isReplica(other)) {
+                return TakeOver.takeAway(there);
+            }
+        } catch (SQLException silent) {
+            // it is off, or cut
+        }
+        try (Connection patient = connections.own(PROMOTION_SECONDS)) {
+            Replication.promote(patient, PROMOTION_SECONDS);
+            return TakeOver.takeAway(connections.journal(name));
+        } catch (SQLException fault) {
+            throw new PairException("the database of this base: " + DatabaseFaults.words(fault), fault);
+        }
+    }
+
+    private <T> T own(Asking<T> asking) throws PairException {
+        try (Connection connection = connections.own()) {
+            return asking.ask(connection);
+        } catch (SQLException fault) {
+            throw new PairException("the database of this base: " + DatabaseFaults.words(fault), fault);
+        }
+    }
+
+    @FunctionalInterface
+    private interface Asking<T> {
+        T ask(Connection connection) throws SQLException;
+    }
+}

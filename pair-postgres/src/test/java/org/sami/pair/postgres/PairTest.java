@@ -1,0 +1,132 @@
+package org.sami.pair.postgres;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Clock;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.spn.host.Durability;
+import org.sami.spn.host.JournalEntry;
+import org.sami.spn.journal.JournalAddress;
+import org.sami.spn.journal.JournalHeader;
+import org.sami.spn.journal.JournalOptions;
+import org.sami.spn.journal.StoredJournal;
+import org.sami.spn.protocol.Input;
+
+/** Two bases with real databases, of which one replicates the other. Needs an installed PostgreSQL; says so in a line where there is none. */
+@Tag("long")
+@Timeout(180)
+class PairTest {
+    @TempDir
+    Path root;
+
+    private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
+    private final ExecutorService thread = Executors.newSingleThreadExecutor();
+
+    @AfterEach
+    void end() {
+        thread.shutdownNow();
+    }
+
+    @Test
+    void aSessionIsProtectedOnceTheSecondBaseFollowsAndGoesOnThereWithAllEntriesWhenTheFirstIsLost() throws Exception {
+        try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER)) {
+            Pair first = Pair.open(bases.first);
+            Pair second = Pair.open(bases.second);
+            assertThat(first.checkedPart()).isEqualTo(Pair.Part.DATABASE);
+            assertThat(second.checkedPart()).isEqualTo(Pair.Part.REPLICA);
+            StandbyMonitor monitor = first.monitor(Clock.systemUTC(), lines::add);
+            awaitLine("pair: protected");
+            StoredJournal journal = create(first);
+            BlockingQueue<String> said = new LinkedBlockingQueue<>();
+            Future<StoredJournal> waiting = thread.submit(() -> takeOver(second, said));
+            assertThat(said.take()).startsWith("the session is held by");
+            assertThat(said.take()).endsWith("this base goes on with it by itself");
+            journal.append(List.of(entry(1), entry(2)), Durability.POWER);
+
+            PairDatabase.of(bases.first).stop(); // power loss of base and database
+            monitor.close();
+
+            try (StoredJournal gone = waiting.get()) {
+                assertThat(gone.lastIndex()).isEqualTo(2);
+                gone.append(List.of(entry(3)), Durability.POWER);
+            }
+            assertThat(second.checkedPart()).isEqualTo(Pair.Part.DATABASE);
+            assertThatThrownBy(() -> journal.append(List.of(entry(3)), Durability.POWER))
+                    .isInstanceOf(IOException.class);
+
+            PairDatabase.of(bases.first).start();
+            assertThatThrownBy(first::checkedPart)
+                    .isInstanceOf(PairException.class)
+                    .hasMessageContaining("127.0.0.2 took the session over")
+                    .hasMessageContaining("crw pair rejoin");
+            Path kept = PairDatabase.of(bases.first).copyAgain("replaced");
+            assertThat(kept).isDirectory();
+            assertThat(first.checkedPart()).isEqualTo(Pair.Part.REPLICA);
+            try (StandbyMonitor ofSecond = second.monitor(Clock.systemUTC(), lines::add)) {
+                awaitLine("pair: protected, 127.0.0.1");
+            }
+        }
+    }
+
+    private void awaitLine(String beginning) throws InterruptedException {
+        String line = lines.take();
+        while (!line.startsWith(beginning)) {
+            line = lines.take();
+        }
+    }
+
+    private static StoredJournal create(Pair pair) throws IOException {
+        return JournalAddress.parse(pair.journal("sami").text())
+                .create(JournalHeader.of("plans", Map.of(), Map.of("kind", "session")), JournalOptions.DEFAULT);
+    }
+
+    private static StoredJournal takeOver(Pair pair, BlockingQueue<String> said) throws IOException {
+        return JournalAddress.parse(pair.journal("sami").text()).takeOver(JournalOptions.DEFAULT, said::add);
+    }
+
+    private static JournalEntry entry(long index) {
+        return new JournalEntry(index, index * 1000, new Input.ProxyJoined("boat" + index));
+    }
+
+    @Test
+    void filesOfAPairAreForTheirOwnerAlone() throws Exception {
+        try (TwoBases bases = new TwoBases(root)) {
+            bases.make(WhenCut.TAKE_OVER);
+            for (Path file : new Path[] {
+                bases.invitation(), bases.first.passwords(), bases.first.key(), bases.first.certificate()
+            }) {
+                assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file)))
+                        .isEqualTo("rw-------");
+            }
+        }
+    }
+
+    @Test
+    void aBaseThatCannotReachTheOtherJoinsNothingAndLeavesNothing() throws Exception {
+        try (TwoBases bases = new TwoBases(root)) {
+            bases.make(WhenCut.TAKE_OVER);
+            PairDatabase.of(bases.first).stop();
+
+            assertThatThrownBy(bases::join)
+                    .isInstanceOf(PairException.class)
+                    .hasMessageContaining("the database of 127.0.0.1 cannot be copied");
+            assertThat(bases.second.path()).doesNotExist();
+        }
+    }
+}
