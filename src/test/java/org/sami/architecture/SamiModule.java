@@ -58,6 +58,8 @@ enum SamiModule {
     JOURNAL_POSTGRES("journal-postgres", 20, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
     /** Work that several machines divide, in PostgreSQL: at the addresses, and by the connections, of journals there. */
     WORK_POSTGRES("work-postgres", 10, List.of("org.sami.work.postgres.."), List.of(JOURNAL_POSTGRES)),
+    /** Two bases of which one replicates the other. */
+    PAIR_POSTGRES("pair-postgres", 20, List.of("org.sami.pair.postgres.."), List.of(JOURNAL_POSTGRES)),
     /** Place/transition nets and their analysis: no plan and no boat. */
     PETRI("petri", 140, List.of("org.sami.petri.."), List.of()),
     /** What helps to write plans. */
@@ -176,6 +178,7 @@ enum SamiModule {
             List.of(
                     CRW_SIM,
                     WORK_POSTGRES,
+                    PAIR_POSTGRES,
                     JOURNAL_POSTGRES,
                     SESSION_CLIENT,
                     SESSION_SERVER,

@@ -17,6 +17,8 @@ import org.sami.crw.cli.output.LogFormatter;
 import org.sami.crw.cli.output.StandardStreams;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.cli.output.Version;
+import org.sami.crw.cli.pair.BasePairCommand;
+import org.sami.crw.cli.pair.TakeOverCommand;
 import org.sami.crw.cli.plan.CheckCommand;
 import org.sami.crw.cli.plan.ComponentsCommand;
 import org.sami.crw.cli.plan.DrawCommand;
@@ -80,6 +82,8 @@ import picocli.CommandLine.Spec;
             ResumeCommand.class,
             SessionCommand.class,
             ServeCommand.class,
+            BasePairCommand.class,
+            TakeOverCommand.class,
             PeopleCommand.class,
             JournalCommand.class,
             CopyJournalCommand.class,

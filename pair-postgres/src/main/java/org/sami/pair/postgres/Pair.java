@@ -4,8 +4,9 @@ import java.io.IOException;
 import java.sql.Connection;
 import java.sql.SQLException;
 import java.time.Clock;
+import java.time.LocalTime;
 import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import org.sami.journal.postgres.DatabaseFaults;
 import org.sami.journal.postgres.PostgresAddress;
 import org.sami.journal.postgres.TakeOver;
@@ -140,19 +141,19 @@ public final class Pair {
         });
     }
 
-    /** Says to the base that has the session that this one stands by for it, or ends in order; false where it is not reached. */
-    public boolean sign(boolean ended) {
-        try (Connection other = connections.other()) {
-            StandbySign.write(other, ended);
-            return true;
-        } catch (SQLException silent) {
-            return false;
-        }
+    /** Says to the base that has the session that this one stands by for it, until it is closed. */
+    public StandbyPresence standBy() {
+        return new StandbyPresence(connections);
     }
 
-    /** Looks after the standby while this base holds the session. */
-    public StandbyMonitor monitor(Clock clock, Consumer<String> lines) throws PairException {
-        return StandbyMonitor.start(folder, clock, lines);
+    /**
+     * Looks after the standby while this base holds the session.
+     *
+     * @param clock says since when, in the time zone of people
+     * @param listener told what becomes of the protection, and since when, on the monitor's thread
+     */
+    public StandbyMonitor monitor(Clock clock, BiConsumer<Protection, LocalTime> listener) throws PairException {
+        return StandbyMonitor.start(folder, clock, listener);
     }
 
     /** What a take-over at a person's word would lose, for people; empty where nothing is lost, as the other base answers and gives the session away in order. */

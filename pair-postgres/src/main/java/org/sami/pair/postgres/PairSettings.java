@@ -33,7 +33,7 @@ public record PairSettings(String here, String other, int port, WhenCut whenCut)
     }
 
     /** As the other base sees it. */
-    PairSettings seenByOther() {
+    public PairSettings seenByOther() {
         return new PairSettings(/* here= */ other, /* other= */ here, port, whenCut);
     }
 

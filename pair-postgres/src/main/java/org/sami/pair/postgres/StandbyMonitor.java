@@ -1,5 +1,6 @@
 package org.sami.pair.postgres;
 
+import java.nio.file.Path;
 import java.sql.Connection;
 import java.sql.SQLException;
 import java.time.Clock;
@@ -9,7 +10,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.sami.journal.postgres.Connections;
 import org.sami.journal.postgres.DatabaseFaults;
@@ -24,17 +25,20 @@ public final class StandbyMonitor implements AutoCloseable {
     private final PairConnections connections;
     private final PairSettings settings;
     private final Clock clock;
-    private final Consumer<String> lines;
+    private final Path log;
+    private final BiConsumer<Protection, LocalTime> listener;
     private final ScheduledExecutorService thread;
     private @Nullable Future<?> looks;
     private @Nullable Connection connection;
-    private String said = "";
+    private @Nullable Protection said;
 
-    private StandbyMonitor(PairConnections connections, PairSettings settings, Clock clock, Consumer<String> lines) {
-        this.connections = connections;
-        this.settings = settings;
+    private StandbyMonitor(PairFolder folder, Clock clock, BiConsumer<Protection, LocalTime> listener)
+            throws PairException {
+        this.settings = folder.settings();
+        this.connections = new PairConnections(folder, settings);
+        this.log = folder.log();
         this.clock = clock;
-        this.lines = lines;
+        this.listener = listener;
         thread = Executors.newSingleThreadScheduledExecutor(work -> {
             Thread made = new Thread(work, "standby of " + settings.here());
             made.setDaemon(true);
@@ -46,11 +50,11 @@ public final class StandbyMonitor implements AutoCloseable {
      * One that looks from now on.
      *
      * @param clock says since when, for people
-     * @param lines what becomes of the pair, for people, on the monitor's thread; each line once in a row
+     * @param listener told what becomes of the protection, and since when, on the monitor's thread
      */
-    public static StandbyMonitor start(PairFolder folder, Clock clock, Consumer<String> lines) throws PairException {
-        PairSettings settings = folder.settings();
-        StandbyMonitor monitor = new StandbyMonitor(new PairConnections(folder, settings), settings, clock, lines);
+    public static StandbyMonitor start(PairFolder folder, Clock clock, BiConsumer<Protection, LocalTime> listener)
+            throws PairException {
+        StandbyMonitor monitor = new StandbyMonitor(folder, clock, listener);
         monitor.looks = monitor.thread.scheduleWithFixedDelay(monitor::look, 0, LOOK_MILLIS, TimeUnit.MILLISECONDS);
         return monitor;
     }
@@ -64,7 +68,10 @@ public final class StandbyMonitor implements AutoCloseable {
             }
             look(used);
         } catch (SQLException fault) {
-            say("pair: this base's database does not answer: " + DatabaseFaults.words(fault));
+            say(new Protection(
+                    Protection.State.UNKNOWN,
+                    "this base's database does not answer: " + DatabaseFaults.words(fault),
+                    "It is started again by the next 'crw serve --pair'; " + log + " says why it ended"));
             drop();
         } catch (RuntimeException fault) {
             System.getLogger(StandbyMonitor.class.getName())
@@ -87,29 +94,34 @@ public final class StandbyMonitor implements AutoCloseable {
             }
             case NONE -> {}
         }
-        say(words(waits, look));
+        say(protection(waits, look));
     }
 
-    private String words(boolean waits, StandbyLook look) {
+    private Protection protection(boolean waits, StandbyLook look) {
         if (!waits) {
             String why = look.hasEnded()
                     ? "the standby was ended"
-                    : look.isConnected() ? "the standby is catching up" : "no standby";
-            return "pair: alone, " + why + ": what this base writes is on this machine only";
+                    : look.isConnected() ? "the standby is catching up" : "no standby answers";
+            return new Protection(
+                    Protection.State.ALONE,
+                    "alone, " + why + ": what this base writes is on this machine only",
+                    "Once 'crw serve --pair' runs on " + settings.other() + ", the session is protected again");
         }
         if (look.isConnected()) {
-            return "pair: protected, " + settings.other() + " has all that is confirmed";
+            return new Protection(
+                    Protection.State.PROTECTED, "protected: " + settings.other() + " has all that is confirmed", "");
         }
-        return "pair: nothing comes from " + settings.other()
-                + ", which may go on with the session: this base stops commanding until it answers. Once "
-                + settings.other()
-                + " is off, here: crw pair alone";
+        return new Protection(
+                Protection.State.SILENT,
+                "nothing comes from " + settings.other()
+                        + ", which may go on with the session: this base stops commanding" + " until it answers",
+                "If " + settings.other() + " is off, here: crw pair alone");
     }
 
-    private void say(String line) {
-        if (!line.equals(said)) {
-            said = line;
-            lines.accept(line + ", since " + LocalTime.now(clock).truncatedTo(ChronoUnit.SECONDS));
+    private void say(Protection now) {
+        if (!now.equals(said)) {
+            said = now;
+            listener.accept(now, LocalTime.now(clock).truncatedTo(ChronoUnit.SECONDS));
         }
     }
 

@@ -22,7 +22,11 @@ final class StandbySign {
 
     /** The standby begins to watch, or ends in order. */
     static void write(Connection connection, boolean ended) throws SQLException {
-        Connections.run(connection, "UPDATE pair.standby SET ended = " + (ended ? "now()" : "NULL"));
+        Connections.run(
+                connection,
+                ended
+                        ? "UPDATE pair.standby SET ended = now()"
+                        : "UPDATE pair.standby SET ended = NULL WHERE ended IS NOT NULL");
     }
 
     /** Whether it has ended in order. */

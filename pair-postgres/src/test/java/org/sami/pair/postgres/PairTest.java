@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Clock;
+import java.time.LocalTime;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
@@ -50,8 +51,8 @@ class PairTest {
             Pair second = Pair.open(bases.second);
             assertThat(first.checkedPart()).isEqualTo(Pair.Part.DATABASE);
             assertThat(second.checkedPart()).isEqualTo(Pair.Part.REPLICA);
-            StandbyMonitor monitor = first.monitor(Clock.systemUTC(), lines::add);
-            awaitLine("pair: protected");
+            StandbyMonitor monitor = first.monitor(Clock.systemUTC(), this::add);
+            awaitLine("protected");
             StoredJournal journal = create(first);
             BlockingQueue<String> said = new LinkedBlockingQueue<>();
             Future<StoredJournal> waiting = thread.submit(() -> takeOver(second, said));
@@ -78,10 +79,14 @@ class PairTest {
             Path kept = PairDatabase.of(bases.first).copyAgain("replaced");
             assertThat(kept).isDirectory();
             assertThat(first.checkedPart()).isEqualTo(Pair.Part.REPLICA);
-            try (StandbyMonitor ofSecond = second.monitor(Clock.systemUTC(), lines::add)) {
-                awaitLine("pair: protected, 127.0.0.1");
+            try (StandbyMonitor ofSecond = second.monitor(Clock.systemUTC(), this::add)) {
+                awaitLine("protected: 127.0.0.1");
             }
         }
+    }
+
+    private void add(Protection protection, LocalTime since) {
+        lines.add(protection.text());
     }
 
     private void awaitLine(String beginning) throws InterruptedException {

@@ -10,12 +10,15 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.security.Identity;
 import org.sami.crw.cli.key.PeopleOption;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.StopOnInterrupt;
 import org.sami.crw.cli.output.UsageFault;
+import org.sami.crw.cli.pair.PairOption;
+import org.sami.crw.cli.pair.PairedBase;
 import org.sami.crw.console.Console;
 import org.sami.crw.console.LineSource;
 import org.sami.crw.console.PlainLines;
@@ -23,6 +26,8 @@ import org.sami.crw.proxy.key.BaseKeys;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
+import org.sami.pair.postgres.StandbyMonitor;
+import org.sami.pair.postgres.StandbyPresence;
 import org.sami.session.map.TileFile;
 import org.sami.session.person.People;
 import org.sami.session.server.ServerAddress;
@@ -55,6 +60,7 @@ import picocli.CommandLine.Spec;
         footerHeading = "%nExamples:%n",
         footer = {
             "  crw serve --journal 'postgresql://base-db/boats?user=pilot' --standby",
+            "  crw serve --pair                                   on both bases of a pair (crw pair)",
             "  crw serve --connect 10.0.0.11:11411 --journal today.journal",
             "  crw serve --host 10.0.0.5 --port 8443 --near       people of ~/.config/sami/people log in by https",
             "  crw serve --script boats.txt                       commands of 'crw session' first, such as 'add boat'"
@@ -66,6 +72,9 @@ public final class ServeCommand implements Callable<Integer> {
 
     @Mixin
     private SessionOptions options = new SessionOptions();
+
+    @Mixin
+    private PairOption pair = new PairOption();
 
     @Mixin
     private PeopleOption people = new PeopleOption();
@@ -103,29 +112,43 @@ public final class ServeCommand implements Callable<Integer> {
         if (script != null && !Files.isReadable(script)) {
             throw new UsageFault("--script: " + script + " cannot be read");
         }
-        if (standby && script != null) {
-            throw new UsageFault("--script is carried out by the base that begins the session, not by --standby");
+        Optional<PairedBase> paired = pair.open();
+        paired.ifPresent(base -> options.keepIn(base.journal()));
+        boolean waits = paired.map(PairedBase::standsBy).orElse(standby);
+        if (standby && !waits) {
+            throw new UsageFault("this base has the session's database; --standby is for the other base of the pair");
+        }
+        if (waits && script != null) {
+            throw new UsageFault(
+                    "--script is carried out by the base that begins the session, not by one that stands by");
         }
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            SessionOptions.Use use = (session, begin) -> run(session, begin, stop);
-            return standby ? takeOver(use) : options.open(false, use);
+            SessionOptions.Use use = (session, begin) -> run(session, begin, paired, stop);
+            return waits ? takeOver(paired, use) : options.open(false, use);
         }
     }
 
-    private int takeOver(SessionOptions.Use use) throws IOException, InterruptedException {
+    private int takeOver(Optional<PairedBase> paired, SessionOptions.Use use) throws IOException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
+        Optional<StandbyPresence> presence = paired.map(PairedBase::standBy);
         try {
-            return options.takeOver(line -> print(out, "standby: " + line), use);
+            return options.takeOver(line -> print(out, "standby: " + line), (session, begin) -> {
+                presence.ifPresent(StandbyPresence::close);
+                return use.run(session, begin);
+            });
         } catch (InterruptedIOException ended) {
             Thread.interrupted(); // by Ctrl-C, while it waited: nothing was begun
+            presence.ifPresent(StandbyPresence::leave);
             return ExitCode.OK;
         }
     }
 
-    private int run(Session session, SessionOptions.Begin begin, StopOnInterrupt stop) throws IOException {
+    private int run(Session session, SessionOptions.Begin begin, Optional<PairedBase> paired, StopOnInterrupt stop)
+            throws IOException {
         PrintWriter out = spec.commandLine().getOut();
         People who = people.people();
-        try (OpenedMap background = OpenedMap.of(Optional.ofNullable(map));
+        try (OpenedMonitor monitor = OpenedMonitor.of(paired, session, line -> print(out, line));
+                OpenedMap background = OpenedMap.of(Optional.ofNullable(map));
                 SessionServer server =
                         UsageFault.of(() -> SessionServer.start(session, who, address(), background.tiles()))) {
             CountDownLatch broken = new CountDownLatch(1);
@@ -145,6 +168,20 @@ public final class ServeCommand implements Callable<Integer> {
             boolean stoodStill = session.models().health().snapshot().missionsStandStill();
             session.leave().forEach(line -> print(out, line));
             return stoodStill || session.faults().failure().isPresent() ? ExitCode.FAILED : ExitCode.OK;
+        }
+    }
+
+    /** Looks after the standby of a pair, or after none. */
+    private record OpenedMonitor(Optional<StandbyMonitor> monitor) implements AutoCloseable {
+        static OpenedMonitor of(Optional<PairedBase> paired, Session session, Consumer<String> lines)
+                throws IOException {
+            return new OpenedMonitor(
+                    paired.isPresent() ? Optional.of(paired.get().monitor(session, lines)) : Optional.empty());
+        }
+
+        @Override
+        public void close() {
+            monitor.ifPresent(StandbyMonitor::close);
         }
     }
 

@@ -98,8 +98,8 @@ final class SessionOptions {
             converter = ConditionsConverter.class,
             description =
                     "The water of simulated boats, and the errors of boats that do not report theirs: calm, field or"
-                            + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
-                            + " field; of a session that is resumed, its own).")
+                        + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
+                        + " field; of a session that is resumed, its own).")
     private @Nullable NamedConditions conditions;
 
     @Option(
@@ -159,6 +159,18 @@ final class SessionOptions {
          * @return the exit code
          */
         int run(Session session, Begin begin) throws IOException, InterruptedException;
+    }
+
+    /**
+     * Has the session be kept in a journal that no option names.
+     *
+     * @throws UsageFault if an option names one
+     */
+    void keepIn(JournalAddress place) {
+        if (journal != null) {
+            throw new UsageFault("--pair says where the session is kept; leave out --journal");
+        }
+        journal = place;
     }
 
     /**

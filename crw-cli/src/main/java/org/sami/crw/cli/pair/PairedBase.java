@@ -1,0 +1,67 @@
+package org.sami.crw.cli.pair;
+
+import java.io.IOException;
+import java.time.Clock;
+import java.time.ZoneId;
+import java.util.function.Consumer;
+import org.sami.crw.operator.HealthModel;
+import org.sami.crw.operator.health.HealthFault;
+import org.sami.crw.operator.health.HealthKind;
+import org.sami.crw.session.Session;
+import org.sami.pair.postgres.Pair;
+import org.sami.pair.postgres.Protection;
+import org.sami.pair.postgres.StandbyMonitor;
+import org.sami.pair.postgres.StandbyPresence;
+import org.sami.spn.journal.JournalAddress;
+import org.sami.spn.protocol.Priority;
+
+/** This base of a pair while it serves a session, or stands by for one. */
+public final class PairedBase {
+    /** The pair's fault among those of the session. */
+    private static final String SUBJECT = "the pair";
+
+    private final Pair pair;
+    private final JournalAddress journal;
+    private final boolean standsBy;
+
+    private PairedBase(Pair pair, JournalAddress journal, boolean standsBy) {
+        this.pair = pair;
+        this.journal = journal;
+        this.standsBy = standsBy;
+    }
+
+    static PairedBase of(Pair pair, String name) throws IOException {
+        boolean standsBy = pair.checkedPart() == Pair.Part.REPLICA;
+        return new PairedBase(pair, JournalAddress.parse(pair.journal(name).text()), standsBy);
+    }
+
+    /** Where the session's journal is. */
+    public JournalAddress journal() {
+        return journal;
+    }
+
+    /** Whether this base waits for the other's end. */
+    public boolean standsBy() {
+        return standsBy;
+    }
+
+    /** Says to the other base that this one stands by, until it is closed. */
+    public StandbyPresence standBy() {
+        return pair.standBy();
+    }
+
+    /** Looks after the standby while this base has the session; says how the pair stands by lines and in the session's health. */
+    public StandbyMonitor monitor(Session session, Consumer<String> lines) throws IOException {
+        HealthModel health = session.models().health();
+        return pair.monitor(Clock.system(ZoneId.systemDefault()), (now, since) -> {
+            lines.accept("pair: " + now.text() + ", since " + since);
+            if (now.state() == Protection.State.PROTECTED) {
+                health.over(HealthKind.JOURNAL, SUBJECT);
+            } else {
+                Priority severity = now.state() == Protection.State.ALONE ? Priority.MEDIUM : Priority.CRITICAL;
+                health.report(HealthFault.of(
+                        HealthKind.JOURNAL, SUBJECT, severity, "This base is " + now.text(), now.advice()));
+            }
+        });
+    }
+}

@@ -1,0 +1,21 @@
+package org.sami.pair.postgres;
+
+/**
+ * Whether a session of a pair would go on without loss if this base were lost.
+ *
+ * @param text for people, a sentence without a full stop
+ * @param advice what a person can do, the same; empty where there is nothing to do
+ */
+public record Protection(State state, String text, String advice) {
+    /** Its kinds. */
+    public enum State {
+        /** The other base has all that is confirmed. */
+        PROTECTED,
+        /** This base does not wait for the other. */
+        ALONE,
+        /** This base waits for the other, which says nothing: it stops commanding. */
+        SILENT,
+        /** This base's database does not say. */
+        UNKNOWN
+    }
+}

@@ -1,0 +1,56 @@
+package org.sami.pair.postgres;
+
+import java.sql.Connection;
+import java.sql.SQLException;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+
+/** Says to the base that has the session that this one stands by for it, again and again, since that base may not be there yet; and at last that it no longer does. */
+public final class StandbyPresence implements AutoCloseable {
+    private static final long SAY_MILLIS = 2000;
+
+    private final PairConnections connections;
+    private final ScheduledExecutorService thread;
+    private final Future<?> saying;
+
+    StandbyPresence(PairConnections connections) {
+        this.connections = connections;
+        thread = Executors.newSingleThreadScheduledExecutor(work -> {
+            Thread made = new Thread(work, "presence of a standby");
+            made.setDaemon(true);
+            return made;
+        });
+        saying = thread.scheduleWithFixedDelay(() -> say(false), 0, SAY_MILLIS, TimeUnit.MILLISECONDS);
+    }
+
+    /** Says that it ends in order and does not go on with the session: the other base need not wait for it. False where that base is not reached. */
+    public boolean leave() {
+        close();
+        return say(true);
+    }
+
+    private boolean say(boolean ended) {
+        try (Connection other = connections.other()) {
+            StandbySign.write(other, ended);
+            return true;
+        } catch (SQLException silent) {
+            return false; // whoever looks at the pair sees that the bases do not reach one another
+        }
+    }
+
+    /** Says nothing any more. */
+    @Override
+    public void close() {
+        saying.cancel(false);
+        thread.shutdown();
+        try {
+            if (!thread.awaitTermination(SAY_MILLIS * 2, TimeUnit.MILLISECONDS)) {
+                thread.shutdownNow();
+            }
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}
