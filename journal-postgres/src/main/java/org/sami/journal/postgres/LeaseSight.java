@@ -6,11 +6,21 @@ import java.util.Optional;
 /**
  * Judges a lease by how long its row stands still before the eyes of a standby: where the row comes from another machine's database, that machine's clock says nothing here. The standby looks
  * by its own monotonic clock. A holder renews the row and asks that the replica has applied it; its own limit counts from before it asked, so it is over before this says so.
+ *
+ * <p>Whether the holder counts on this standby stands in the row. A standby that was away, as its database did not answer or its machine slept, may have missed that it no longer does: it has to
+ * see the row renewed again before it goes on by itself.
  */
 final class LeaseSight {
+    private static final long NANOS_A_MILLI = 1_000_000;
+
+    /** Clocks that differ by more: the machine slept, or its clock was set. */
+    private static final long SLEPT_MILLIS = 1000;
+
     private final Duration length;
     private Optional<LeaseTable.Holder> seen = Optional.empty();
     private long sinceNanos;
+    private long lookNanos;
+    private long lookMillis;
     private boolean renewed;
 
     /** How a lease looks. */
@@ -37,9 +47,17 @@ final class LeaseSight {
     /**
      * Looks at the row.
      *
-     * @param nowNanos a clock that does not jump
+     * @param nowNanos a clock that does not jump; it may stand still while the machine sleeps
+     * @param nowMillis the machine's clock, which does not; it may be set
      */
-    Sight look(LeaseTable.Holder holder, long nowNanos) {
+    Sight look(LeaseTable.Holder holder, long nowNanos, long nowMillis) {
+        long pause = (nowNanos - lookNanos) / NANOS_A_MILLI;
+        boolean stoodStill = pause > length.toMillis() / 2 || Math.abs(nowMillis - lookMillis - pause) > SLEPT_MILLIS;
+        if (seen.isPresent() && stoodStill) {
+            forget();
+        }
+        lookNanos = nowNanos;
+        lookMillis = nowMillis;
         boolean changed = seen.isEmpty()
                 || seen.get().epoch() != holder.epoch()
                 || !seen.get().ends().equals(holder.ends());

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.sql.Connection;
 import java.sql.SQLException;
+import java.time.InstantSource;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -21,6 +22,7 @@ final class LeaseWatch {
     private final PostgresAddress address;
     private final Taking taking;
     private final LongSupplier nanos;
+    private final InstantSource wall;
     private final LeaseSight sight;
     private final Consumer<String> lines;
     private String said = "";
@@ -40,11 +42,19 @@ final class LeaseWatch {
      *
      * @param terms how long a lease lasts
      * @param nanos a clock that does not jump
+     * @param wall the machine's clock, which tells that it slept
      * @param lines what it waits for, for people; each line once in a row
      */
-    LeaseWatch(PostgresAddress address, LeaseTerms terms, LongSupplier nanos, Taking taking, Consumer<String> lines) {
+    LeaseWatch(
+            PostgresAddress address,
+            LeaseTerms terms,
+            LongSupplier nanos,
+            InstantSource wall,
+            Taking taking,
+            Consumer<String> lines) {
         this.address = address;
         this.nanos = nanos;
+        this.wall = wall;
         this.sight = new LeaseSight(terms.length());
         this.taking = taking;
         this.lines = lines;
@@ -105,7 +115,7 @@ final class LeaseWatch {
     }
 
     private boolean isOver(LeaseTable.Holder holder) {
-        return switch (sight.look(holder, nanos.getAsLong())) {
+        return switch (sight.look(holder, nanos.getAsLong(), wall.millis())) {
             case OVER -> true;
             case HELD -> {
                 say("the session is held by " + holder.words());

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.sql.Connection;
 import java.sql.PreparedStatement;
 import java.sql.SQLException;
+import java.time.InstantSource;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -91,7 +92,7 @@ public final class PostgresStore implements JournalStore {
     @Override
     public PostgresJournal takeOver(String text, JournalOptions options, Consumer<String> lines) throws IOException {
         PostgresAddress address = PostgresAddress.parse(text);
-        Lease lease = new LeaseWatch(address, terms, nanos, taking(address), lines).await();
+        Lease lease = new LeaseWatch(address, terms, nanos, InstantSource.system(), taking(address), lines).await();
         try {
             lines.accept("nobody held the session any more; this base has taken it");
             return open(address, options, () -> lease);

@@ -5,7 +5,6 @@ import java.sql.Connection;
 import java.sql.SQLException;
 import java.time.Clock;
 import java.time.LocalTime;
-import java.time.temporal.ChronoUnit;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
@@ -121,7 +120,7 @@ public final class StandbyMonitor implements AutoCloseable {
     private void say(Protection now) {
         if (!now.equals(said)) {
             said = now;
-            listener.accept(now, LocalTime.now(clock).truncatedTo(ChronoUnit.SECONDS));
+            listener.accept(now, LocalTime.now(clock));
         }
     }
 

@@ -3,6 +3,7 @@ package org.sami.crw.cli.pair;
 import java.io.IOException;
 import java.time.Clock;
 import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
 import java.util.function.Consumer;
 import org.sami.crw.operator.HealthModel;
 import org.sami.crw.operator.health.HealthFault;
@@ -19,6 +20,8 @@ import org.sami.spn.protocol.Priority;
 public final class PairedBase {
     /** The pair's fault among those of the session. */
     private static final String SUBJECT = "the pair";
+
+    private static final DateTimeFormatter SECONDS = DateTimeFormatter.ofPattern("HH:mm:ss");
 
     private final Pair pair;
     private final JournalAddress journal;
@@ -54,7 +57,7 @@ public final class PairedBase {
     public StandbyMonitor monitor(Session session, Consumer<String> lines) throws IOException {
         HealthModel health = session.models().health();
         return pair.monitor(Clock.system(ZoneId.systemDefault()), (now, since) -> {
-            lines.accept("pair: " + now.text() + ", since " + since);
+            lines.accept("pair: " + now.text() + ", since " + SECONDS.format(since));
             if (now.state() == Protection.State.PROTECTED) {
                 health.over(HealthKind.JOURNAL, SUBJECT);
             } else {
