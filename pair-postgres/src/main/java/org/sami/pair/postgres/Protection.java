@@ -15,6 +15,8 @@ public record Protection(State state, String text, String advice) {
         ALONE,
         /** This base waits for the other, which says nothing: it stops commanding. */
         SILENT,
+        /** The other base went on with the session: this one must not. */
+        REPLACED,
         /** This base's database does not say. */
         UNKNOWN
     }

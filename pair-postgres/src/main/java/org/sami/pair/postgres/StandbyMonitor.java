@@ -93,7 +93,21 @@ public final class StandbyMonitor implements AutoCloseable {
             }
             case NONE -> {}
         }
-        say(protection(waits, look));
+        say(
+                waits && !look.isConnected() && otherWentOn(Replication.timeline(used))
+                        ? new Protection(
+                                Protection.State.REPLACED,
+                                settings.other() + " took the session over: this base ends with it",
+                                "This base comes back as the standby by 'crw pair rejoin'")
+                        : protection(waits, look));
+    }
+
+    private boolean otherWentOn(int timeline) {
+        try (Connection other = connections.other()) {
+            return !Replication.isReplica(other) && Replication.timeline(other) > timeline;
+        } catch (SQLException silent) {
+            return false;
+        }
     }
 
     private Protection protection(boolean waits, StandbyLook look) {

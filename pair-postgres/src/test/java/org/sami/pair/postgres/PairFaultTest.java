@@ -115,7 +115,7 @@ class PairFaultTest {
                 Connections.run(second, "SELECT pg_promote(true, 30)");
             }
 
-            await(State.SILENT);
+            await(State.REPLACED);
             try (StoredJournal taken = waiting.get()) {
                 write(taken, 2);
                 assertThatThrownBy(() -> journal.append(List.of(entry(2)), Durability.POWER))

@@ -53,8 +53,12 @@ public final class PairedBase {
         return pair.standBy();
     }
 
-    /** Looks after the standby while this base has the session; says how the pair stands by lines and in the session's health. */
-    public StandbyMonitor monitor(Session session, Consumer<String> lines) throws IOException {
+    /**
+     * Looks after the standby while this base has the session; says how the pair stands by lines and in the session's health.
+     *
+     * @param onReplaced run once the other base went on with the session, so that this one ends with it; on the monitor's thread
+     */
+    public StandbyMonitor monitor(Session session, Consumer<String> lines, Runnable onReplaced) throws IOException {
         HealthModel health = session.models().health();
         return pair.monitor(Clock.system(ZoneId.systemDefault()), (now, since) -> {
             lines.accept("pair: " + now.text() + ", since " + SECONDS.format(since));
@@ -62,8 +66,12 @@ public final class PairedBase {
                 health.over(HealthKind.JOURNAL, SUBJECT);
             } else {
                 Priority severity = now.state() == Protection.State.ALONE ? Priority.MEDIUM : Priority.CRITICAL;
-                health.report(HealthFault.of(
-                        HealthKind.JOURNAL, SUBJECT, severity, "This base is " + now.text(), now.advice()));
+                health.report(
+                        HealthFault.of(HealthKind.JOURNAL, SUBJECT, severity, "The pair: " + now.text(), now.advice()));
+            }
+            if (now.state() == Protection.State.REPLACED) {
+                lines.accept(now.advice());
+                onReplaced.run();
             }
         });
     }

@@ -147,11 +147,11 @@ public final class ServeCommand implements Callable<Integer> {
             throws IOException {
         PrintWriter out = spec.commandLine().getOut();
         People who = people.people();
-        try (OpenedMonitor monitor = OpenedMonitor.of(paired, session, line -> print(out, line));
+        CountDownLatch broken = new CountDownLatch(1);
+        try (OpenedMonitor monitor = OpenedMonitor.of(paired, session, line -> print(out, line), broken::countDown);
                 OpenedMap background = OpenedMap.of(Optional.ofNullable(map));
                 SessionServer server =
                         UsageFault.of(() -> SessionServer.start(session, who, address(), background.tiles()))) {
-            CountDownLatch broken = new CountDownLatch(1);
             session.addListener(new SessionListener() {
                 @Override
                 public void onBroken(String reason) {
@@ -173,10 +173,13 @@ public final class ServeCommand implements Callable<Integer> {
 
     /** Looks after the standby of a pair, or after none. */
     private record OpenedMonitor(Optional<StandbyMonitor> monitor) implements AutoCloseable {
-        static OpenedMonitor of(Optional<PairedBase> paired, Session session, Consumer<String> lines)
+        static OpenedMonitor of(
+                Optional<PairedBase> paired, Session session, Consumer<String> lines, Runnable onReplaced)
                 throws IOException {
             return new OpenedMonitor(
-                    paired.isPresent() ? Optional.of(paired.get().monitor(session, lines)) : Optional.empty());
+                    paired.isPresent()
+                            ? Optional.of(paired.get().monitor(session, lines, onReplaced))
+                            : Optional.empty());
         }
 
         @Override
