@@ -31,8 +31,12 @@ public final class CrwProcess implements AutoCloseable {
 
     /** How the command is started: by its script, which becomes the process, on the Java of the test; {@code folder} is the test's. */
     static ProcessBuilder command(Path folder, List<String> arguments) throws IOException {
-        List<String> command =
-                new ArrayList<>(List.of(INSTALLED.resolve("bin").resolve("crw").toString()));
+        return command(List.of(), folder, arguments);
+    }
+
+    private static ProcessBuilder command(List<String> before, Path folder, List<String> arguments) throws IOException {
+        List<String> command = new ArrayList<>(before);
+        command.add(INSTALLED.resolve("bin").resolve("crw").toString());
         command.addAll(arguments);
         ProcessBuilder builder = new ProcessBuilder(command);
         prepare(builder.environment(), folder);
@@ -49,9 +53,14 @@ public final class CrwProcess implements AutoCloseable {
 
     /** Starts it; {@code folder} takes what it says. */
     public static CrwProcess start(Path folder, List<String> arguments) throws IOException {
+        return startBy(List.of(), folder, arguments);
+    }
+
+    /** The same, by a command that runs it somewhere else, such as in another network. */
+    public static CrwProcess startBy(List<String> before, Path folder, List<String> arguments) throws IOException {
         Path out = Files.createTempFile(folder, "process", ".out");
         Path err = Files.createTempFile(folder, "process", ".err");
-        Process process = command(folder, arguments)
+        Process process = command(before, folder, arguments)
                 .redirectOutput(out.toFile())
                 .redirectError(err.toFile())
                 .start();

@@ -164,7 +164,7 @@ class PairFaultTest {
             assertThat(waiting.isDone()).isFalse();
 
             assertThat(second.lossOfTakeOver().orElseThrow())
-                    .startsWith("127.0.0.1 does not answer. This base received the last of it at ")
+                    .startsWith(bases.firstAddress + " does not answer. This base received the last of it at ")
                     .endsWith("is lost");
             second.takeOver("sami");
 

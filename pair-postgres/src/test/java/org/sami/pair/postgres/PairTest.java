@@ -74,13 +74,13 @@ class PairTest {
             PairDatabase.of(bases.first).start();
             assertThatThrownBy(first::checkedPart)
                     .isInstanceOf(PairException.class)
-                    .hasMessageContaining("127.0.0.2 took the session over")
+                    .hasMessageContaining(bases.secondAddress + " took the session over")
                     .hasMessageContaining("crw pair rejoin");
             Path kept = PairDatabase.of(bases.first).copyAgain("replaced");
             assertThat(kept).isDirectory();
             assertThat(first.checkedPart()).isEqualTo(Pair.Part.REPLICA);
             try (StandbyMonitor ofSecond = second.monitor(Clock.systemUTC(), this::add)) {
-                awaitLine("protected: 127.0.0.1");
+                awaitLine("protected: " + bases.firstAddress);
             }
         }
     }
@@ -130,7 +130,7 @@ class PairTest {
 
             assertThatThrownBy(bases::join)
                     .isInstanceOf(PairException.class)
-                    .hasMessageContaining("the database of 127.0.0.1 cannot be copied");
+                    .hasMessageContaining("the database of " + bases.firstAddress + " cannot be copied");
             assertThat(bases.second.path()).doesNotExist();
         }
     }

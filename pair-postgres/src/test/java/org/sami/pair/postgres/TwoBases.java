@@ -3,22 +3,25 @@ package org.sami.pair.postgres;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.security.cert.CertificateEncodingException;
 import java.util.Base64;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.sami.boat.link.security.Identity;
 
 /** Two bases on this machine, at two addresses of its loopback, that are a pair. Their databases are stopped at the end. */
 final class TwoBases implements AutoCloseable {
-    static final String FIRST = "127.0.0.1";
-    static final String SECOND = "127.0.0.2";
+    private static final int PORT = 5440;
+    private static final AtomicInteger MADE = new AtomicInteger();
+
+    /** Addresses that no other test has. */
+    final String firstAddress;
+
+    final String secondAddress;
 
     private final Path root;
     final PairFolder first;
     final PairFolder second;
-    final int port;
     private final Programs programs;
     private final PairSecrets secrets = secrets();
 
@@ -28,7 +31,11 @@ final class TwoBases implements AutoCloseable {
         this.root = root;
         first = new PairFolder(root.resolve("first"));
         second = new PairFolder(root.resolve("second"));
-        port = freePort();
+        long process = ProcessHandle.current().pid();
+        String network = "127." + (100 + process % 100) + "." + process / 100 % 250 + ".";
+        int number = 2 * MADE.incrementAndGet();
+        firstAddress = network + number;
+        secondAddress = network + (number + 1);
     }
 
     /** Both, the second a replica. */
@@ -45,7 +52,7 @@ final class TwoBases implements AutoCloseable {
     }
 
     void make(WhenCut whenCut) throws IOException {
-        PairSettings settings = new PairSettings(FIRST, SECOND, port, whenCut);
+        PairSettings settings = new PairSettings(firstAddress, secondAddress, PORT, whenCut);
         PairDatabase.make(first, programs, settings, secrets);
         new Invitation(settings.seenByOther(), secrets).write(invitation());
     }
@@ -56,12 +63,6 @@ final class TwoBases implements AutoCloseable {
 
     Path invitation() {
         return root.resolve("invitation");
-    }
-
-    private static int freePort() throws IOException {
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return free.getLocalPort();
-        }
     }
 
     private static PairSecrets secrets() {

@@ -1,0 +1,94 @@
+package org.sami.crw.cli.pair;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.sami.crw.cli.pair.PairedProcesses.await;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.crw.cli.CrwProcess;
+
+/** Two bases as their operators run them: {@code crw pair} and {@code crw serve --pair}, with real databases of an installed PostgreSQL. */
+@Tag("process")
+@Timeout(600)
+class PairProcessTest {
+    private static final String SERVES = "the session is at ";
+    private static final String READY = "this base goes on with it by itself";
+    private static final String PROTECTED = "pair: protected";
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void theSecondBaseGoesOnWhenTheFirstLosesItsPowerAndTheFirstComesBackAsItsStandby() throws Exception {
+        try (PairedProcesses pair = PairedProcesses.onLoopback(folder)) {
+            try (CrwProcess first = pair.serve(0);
+                    CrwProcess second = pair.serve(1)) {
+                await(first, SERVES);
+                await(first, PROTECTED);
+                await(second, READY);
+
+                first.kill();
+                pair.cutPower(0);
+
+                await(second, SERVES);
+                try (CrwProcess refused = pair.serve(0)) {
+                    assertThat(refused.await(120)).isEqualTo(4);
+                    assertThat(refused.err())
+                            .contains(pair.address(1) + " took the session over")
+                            .contains("crw pair rejoin");
+                }
+                assertThat(pair.run(0, "pair", "rejoin")).contains("the database that it had is kept in ");
+                try (CrwProcess again = pair.serve(0)) {
+                    await(again, READY);
+                    await(second, PROTECTED);
+
+                    assertThat(pair.run(0, "take-over")).contains("the base that stands by goes on with it");
+
+                    await(again, SERVES);
+                    assertThat(second.await(120)).isEqualTo(4);
+                }
+            }
+        }
+    }
+
+    @Test
+    void oneOfBothCommandsWhenTheNetworkBetweenThemIsCut() throws Exception {
+        try (TwoNetworks networks = new TwoNetworks();
+                PairedProcesses pair = PairedProcesses.inNetworks(folder, networks);
+                CrwProcess first = pair.serve(0);
+                CrwProcess second = pair.serve(1)) {
+            await(first, SERVES);
+            await(first, PROTECTED);
+            await(second, READY);
+
+            networks.cutFromFirst();
+            networks.cutFromSecond();
+
+            await(first, "this base stops commanding");
+            await(second, SERVES);
+            networks.heal();
+            await(first, "took the session over");
+            assertThat(first.await(120)).isEqualTo(4);
+            assertThat(second.isAlive()).isTrue();
+        }
+    }
+
+    @Test
+    void aStandbyThatIsEndedLeavesTheFirstAlone() throws Exception {
+        try (PairedProcesses pair = PairedProcesses.onLoopback(folder);
+                CrwProcess first = pair.serve(0);
+                CrwProcess second = pair.serve(1)) {
+            await(first, PROTECTED);
+            await(second, READY);
+
+            second.terminate();
+
+            await(first, "pair: alone, the standby was ended");
+            assertThat(first.isAlive()).isTrue();
+            assertThat(pair.run(0, "pair", "status")).contains("database of the session, alone");
+        }
+    }
+}

@@ -1,0 +1,129 @@
+package org.sami.crw.cli.pair;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.sami.boat.server.testing.Await;
+import org.sami.crw.cli.CrwProcess;
+import org.sami.pair.postgres.PairDatabase;
+import org.sami.pair.postgres.PairFolder;
+import org.sami.pair.postgres.Programs;
+
+/** Two bases that {@code crw pair} made, each with its own folder and database, and what runs on them. Databases are stopped at the end. */
+final class PairedProcesses implements AutoCloseable {
+    private static final double AT_MOST_S = 120;
+    private static final long COMMAND_S = 120;
+
+    private static final AtomicInteger MADE = new AtomicInteger();
+
+    private final Path folder;
+    private final List<Base> bases;
+
+    /**
+     * One base.
+     *
+     * @param address as the other reaches it
+     * @param network the command that runs others in its network
+     */
+    record Base(String address, Path folder, List<String> network) {
+        PairFolder pair() {
+            return new PairFolder(folder);
+        }
+    }
+
+    private PairedProcesses(Path folder, List<Base> bases) {
+        this.folder = folder;
+        this.bases = bases;
+    }
+
+    /** At two addresses of this machine's loopback that no other test has. */
+    static PairedProcesses onLoopback(Path folder) throws IOException, InterruptedException {
+        long process = ProcessHandle.current().pid();
+        String network = "127." + (100 + process % 100) + "." + process / 100 % 250 + ".";
+        int first = 2 * MADE.incrementAndGet();
+        return made(folder, network + first, network + (first + 1), List.of(), List.of());
+    }
+
+    /** In two networks that are joined by a cable. */
+    static PairedProcesses inNetworks(Path folder, TwoNetworks networks) throws IOException, InterruptedException {
+        return made(
+                folder, TwoNetworks.FIRST_ADDRESS, TwoNetworks.SECOND_ADDRESS, networks.inFirst(), networks.inSecond());
+    }
+
+    private static PairedProcesses made(
+            Path folder, String first, String second, List<String> inFirst, List<String> inSecond)
+            throws IOException, InterruptedException {
+        assumeTrue(Programs.installed().isPresent(), Programs.HOW_TO_GET);
+        PairedProcesses pair = new PairedProcesses(
+                folder,
+                List.of(
+                        new Base(first, folder.resolve("first"), inFirst),
+                        new Base(second, folder.resolve("second"), inSecond)));
+        String invitation = folder.resolve("invitation").toString();
+        try {
+            pair.run(0, "pair", "init", second, "--here", first, "--invitation", invitation);
+            pair.run(1, "pair", "join", invitation);
+            return pair;
+        } catch (IOException | RuntimeException | Error fault) {
+            pair.close();
+            throw fault;
+        }
+    }
+
+    /** A base's address, as the other reaches it. */
+    String address(int base) {
+        return bases.get(base).address();
+    }
+
+    /** Runs a command on a base to its end, which is good; gives what it said. */
+    String run(int base, String... arguments) throws IOException, InterruptedException {
+        try (CrwProcess process = start(base, arguments)) {
+            assertThat(process.await(COMMAND_S)).as(process.err()).isZero();
+            return process.out();
+        }
+    }
+
+    /** Starts a command on a base. */
+    CrwProcess start(int base, String... arguments) throws IOException {
+        List<String> line = new ArrayList<>(List.of(arguments));
+        line.addAll(List.of("--pair-folder", bases.get(base).folder().toString()));
+        return CrwProcess.startBy(bases.get(base).network(), folder, line);
+    }
+
+    /** Serves the pair's session on a base, or stands by there. */
+    CrwProcess serve(int base) throws IOException {
+        return start(base, "serve", "--pair", "--port", "0");
+    }
+
+    /** Ends a base's database as the loss of its power does. */
+    void cutPower(int base) throws IOException {
+        String pid = Files.readAllLines(bases.get(base).folder().resolve("data").resolve("postmaster.pid"))
+                .get(0)
+                .strip();
+        ProcessHandle server = ProcessHandle.of(Long.parseLong(pid)).orElseThrow();
+        List<ProcessHandle> all = new ArrayList<>(server.descendants().toList());
+        all.add(server);
+        all.forEach(ProcessHandle::destroyForcibly);
+    }
+
+    /** Waits until a process says something. */
+    static void await(CrwProcess process, String words) {
+        Await.until("'" + words + "'", AT_MOST_S, () -> process.out().contains(words) || !process.isAlive());
+        assertThat(process.out()).as(process.err()).contains(words);
+    }
+
+    @Override
+    public void close() throws IOException {
+        for (Base base : bases) {
+            if (base.pair().isThere() && PairDatabase.of(base.pair()).isRunning()) {
+                PairDatabase.of(base.pair()).stop();
+            }
+        }
+    }
+}

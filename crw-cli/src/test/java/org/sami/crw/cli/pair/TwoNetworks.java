@@ -1,0 +1,77 @@
+package org.sami.crw.cli.pair;
+
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/** Two networks of this machine, of which nothing leads out, joined by a virtual cable that can be cut in each direction. Needs root and {@code ip}. */
+final class TwoNetworks implements AutoCloseable {
+    static final String FIRST_ADDRESS = "10.77.0.1";
+    static final String SECOND_ADDRESS = "10.77.0.2";
+
+    private static final String NOBODYS = "02:00:00:00:00:99";
+
+    private final String first = "sami-a-" + ProcessHandle.current().pid();
+    private final String second = "sami-b-" + ProcessHandle.current().pid();
+
+    TwoNetworks() throws IOException, InterruptedException {
+        assumeTrue(
+                ip("netns", "add", first),
+                "networks of their own need root and the program ip: sudo apt install iproute2, then run as root");
+        ip("netns", "add", second);
+        ip("link", "add", "va", "netns", first, "type", "veth", "peer", "name", "vb", "netns", second);
+        ip("-n", first, "addr", "add", FIRST_ADDRESS + "/24", "dev", "va");
+        ip("-n", second, "addr", "add", SECOND_ADDRESS + "/24", "dev", "vb");
+        for (String network : List.of(first, second)) {
+            ip("-n", network, "link", "set", "lo", "up");
+            ip("-n", network, "link", "set", network.equals(first) ? "va" : "vb", "up");
+        }
+    }
+
+    List<String> inFirst() {
+        return List.of("ip", "netns", "exec", first);
+    }
+
+    List<String> inSecond() {
+        return List.of("ip", "netns", "exec", second);
+    }
+
+    /** What the first sends is lost from now on: it goes to a card that nobody has. */
+    void cutFromFirst() throws IOException, InterruptedException {
+        ip("-n", first, "neigh", "replace", SECOND_ADDRESS, "lladdr", NOBODYS, "dev", "va", "nud", "permanent");
+    }
+
+    /** What the second sends is lost from now on. */
+    void cutFromSecond() throws IOException, InterruptedException {
+        ip("-n", second, "neigh", "replace", FIRST_ADDRESS, "lladdr", NOBODYS, "dev", "vb", "nud", "permanent");
+    }
+
+    /** Both reach one another again. */
+    void heal() throws IOException, InterruptedException {
+        ip("-n", first, "neigh", "del", SECOND_ADDRESS, "dev", "va");
+        ip("-n", second, "neigh", "del", FIRST_ADDRESS, "dev", "vb");
+    }
+
+    private static boolean ip(String... arguments) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of("ip"));
+        command.addAll(List.of(arguments));
+        try {
+            Process process = new ProcessBuilder(command)
+                    .redirectErrorStream(true)
+                    .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                    .start();
+            return process.waitFor(10, TimeUnit.SECONDS) && process.exitValue() == 0;
+        } catch (IOException notInstalled) {
+            return false;
+        }
+    }
+
+    @Override
+    public void close() throws IOException, InterruptedException {
+        ip("netns", "del", first);
+        ip("netns", "del", second);
+    }
+}
