@@ -155,6 +155,11 @@ final class PostgresJournal implements StoredJournal {
         return !closed && !lease.isSuperseded();
     }
 
+    @Override
+    public boolean isTakenOver() {
+        return lease.isSuperseded();
+    }
+
     /** Connects again, takes the lease up where nobody else has taken it, and looks how far the journal goes. Also writes the telemetry that waits. */
     @Override
     public synchronized void recover() throws IOException {

@@ -36,6 +36,11 @@ public interface StoredJournal extends InputJournal {
     /** Adds telemetry, from any thread; it is written soon, or with the next batch. */
     void addTelemetry(List<TelemetryRow> rows) throws IOException;
 
+    /** Whether another process writes it now: whoever has this one commands nothing any more. From any thread. */
+    default boolean isTakenOver() {
+        return false;
+    }
+
     /**
      * The state after the last entry that was there when the journal was opened: what a resume hosts.
      *

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.security.Identity;
@@ -24,6 +25,7 @@ import org.sami.crw.console.LineSource;
 import org.sami.crw.console.PlainLines;
 import org.sami.crw.proxy.key.BaseKeys;
 import org.sami.crw.proxy.tcp.BaseProtection;
+import org.sami.crw.session.BoatsAtEnd;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
 import org.sami.pair.postgres.StandbyMonitor;
@@ -148,7 +150,12 @@ public final class ServeCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         People who = people.people();
         CountDownLatch broken = new CountDownLatch(1);
-        try (OpenedMonitor monitor = OpenedMonitor.of(paired, session, line -> print(out, line), broken::countDown);
+        AtomicBoolean replaced = new AtomicBoolean();
+        Runnable onReplaced = () -> {
+            replaced.set(true);
+            broken.countDown();
+        };
+        try (OpenedMonitor monitor = OpenedMonitor.of(paired, session, line -> print(out, line), onReplaced);
                 OpenedMap background = OpenedMap.of(Optional.ofNullable(map));
                 SessionServer server =
                         UsageFault.of(() -> SessionServer.start(session, who, address(), background.tiles()))) {
@@ -166,8 +173,10 @@ public final class ServeCommand implements Callable<Integer> {
             server.certificate().ifPresent(print -> print(out, "its certificate has the SHA-256 " + print));
             waitFor(session, broken, out, stop);
             boolean stoodStill = session.models().health().snapshot().missionsStandStill();
-            session.leave().forEach(line -> print(out, line));
-            return stoodStill || session.faults().failure().isPresent() ? ExitCode.FAILED : ExitCode.OK;
+            session.leave(replaced.get() ? BoatsAtEnd.GO_ON : BoatsAtEnd.STOP).forEach(line -> print(out, line));
+            return replaced.get() || stoodStill || session.faults().failure().isPresent()
+                    ? ExitCode.FAILED
+                    : ExitCode.OK;
         }
     }
 

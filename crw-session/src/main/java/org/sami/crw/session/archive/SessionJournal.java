@@ -62,6 +62,11 @@ public final class SessionJournal implements Closeable {
         telemetryDamage = Optional.empty();
     }
 
+    /** Whether another base writes it now, so that this one commands nothing any more. From any thread. */
+    public boolean isTakenOver() {
+        return stored.map(StoredJournal::isTakenOver).orElse(false);
+    }
+
     /** A journal that nobody reads again. */
     public static SessionJournal none() {
         return over(new NoJournal());
