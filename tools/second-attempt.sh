@@ -6,7 +6,7 @@
 set -u
 real_time=':boat-server-android:server:test :crw-cli:processTest :crw-mavlink:longTest :crw-mavlink:test :crw-operator-gui:longTest
     :crw-operator-gui:test :crw-operator-gui:windowTest :crw-session:test :crw-sim:longTest :crw-sim:test :dreamm-ide:windowTest
-    :journal-postgres:longTest :journal-postgres:test :mavlink:test :session-client:test :session-server:test :work-postgres:test'
+    :journal-postgres:longTest :journal-postgres:test :mavlink:test :pair-postgres:longTest :session-client:test :session-server:test :work-postgres:test'
 most=5
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}" || exit 2
 summary=build/test-summary.txt
