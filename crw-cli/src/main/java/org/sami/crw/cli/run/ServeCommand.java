@@ -7,6 +7,8 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -26,7 +28,9 @@ import org.sami.crw.session.SessionListener;
 import org.sami.session.map.TileFile;
 import org.sami.session.person.People;
 import org.sami.session.server.ServerAddress;
+import org.sami.session.server.SessionBases;
 import org.sami.session.server.SessionServer;
+import org.sami.session.server.StandbyServer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -98,6 +102,15 @@ public final class ServeCommand implements Callable<Integer> {
                     + " once that base's lease is over.")
     private boolean standby;
 
+    @Option(
+            names = "--bases",
+            paramLabel = "ADDRESS",
+            split = ",",
+            description = "All bases of the session, this one too, as fronts reach them, with the SHA-256 that each"
+                    + " prints: wss://HOST:PORT=SHA-256, or ws://HOST:PORT on this machine. Fronts that lose one go to"
+                    + " the next.")
+    private List<String> bases = new ArrayList<>();
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         if (script != null && !Files.isReadable(script)) {
@@ -107,27 +120,47 @@ public final class ServeCommand implements Callable<Integer> {
             throw new UsageFault("--script is carried out by the base that begins the session, not by --standby");
         }
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            SessionOptions.Use use = (session, begin) -> run(session, begin, stop);
-            return standby ? takeOver(use) : options.open(false, use);
+            if (standby) {
+                return takeOver(stop);
+            }
+            return options.open(false, (session, begin) -> run(session, begin, address(), stop));
         }
     }
 
-    private int takeOver(SessionOptions.Use use) throws IOException, InterruptedException {
+    private int takeOver(StopOnInterrupt stop) throws IOException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
-        try {
-            return options.takeOver(line -> print(out, "standby: " + line), use);
+        ServerAddress here = address();
+        SessionBases named = named();
+        try (OpenedMap background = OpenedMap.of(Optional.ofNullable(map));
+                StandbyServer waiting =
+                        UsageFault.of(() -> StandbyServer.start(people.people(), here, background.tiles(), named))) {
+            print(out, "standby: it answers at " + waiting.url() + ", and serves the session there once it holds it");
+            waiting.certificate().ifPresent(print -> print(out, "its certificate has the SHA-256 " + print));
+            ServerAddress there =
+                    new ServerAddress(here.host(), waiting.listensAt().getPort(), here.identity());
+            return options.takeOver(
+                    line -> {
+                        waiting.say(line);
+                        print(out, "standby: " + line);
+                    },
+                    (session, begin) -> {
+                        waiting.close();
+                        return run(session, begin, there, stop);
+                    });
         } catch (InterruptedIOException ended) {
             Thread.interrupted(); // by Ctrl-C, while it waited: nothing was begun
             return ExitCode.OK;
         }
     }
 
-    private int run(Session session, SessionOptions.Begin begin, StopOnInterrupt stop) throws IOException {
+    private int run(Session session, SessionOptions.Begin begin, ServerAddress at, StopOnInterrupt stop)
+            throws IOException {
         PrintWriter out = spec.commandLine().getOut();
         People who = people.people();
+        SessionBases named = named();
         try (OpenedMap background = OpenedMap.of(Optional.ofNullable(map));
                 SessionServer server =
-                        UsageFault.of(() -> SessionServer.start(session, who, address(), background.tiles()))) {
+                        UsageFault.of(() -> SessionServer.start(session, who, at, background.tiles(), named))) {
             CountDownLatch broken = new CountDownLatch(1);
             session.addListener(new SessionListener() {
                 @Override
@@ -179,6 +212,14 @@ public final class ServeCommand implements Callable<Integer> {
             }
         } catch (InterruptedException ended) {
             Thread.interrupted(); // by Ctrl-C: boats are left in order
+        }
+    }
+
+    private SessionBases named() {
+        try {
+            return SessionBases.parse(bases);
+        } catch (IllegalArgumentException unfit) {
+            throw new UsageFault("--bases: " + unfit.getMessage());
         }
     }
 
