@@ -17,7 +17,7 @@ final class KnownBases {
     /** With several bases a round costs little, and one of them takes over within seconds. */
     private static final long FIRST_WAIT_OF_SEVERAL_MS = 500;
 
-    private static final long LONGEST_WAIT_OF_SEVERAL_MS = 2000;
+    private static final long LONGEST_WAIT_OF_SEVERAL_MS = 1000;
 
     private final List<SessionAddress> all = new ArrayList<>();
     private final Map<SessionAddress, String> faults = new LinkedHashMap<>(); // of this round: why not
@@ -54,12 +54,23 @@ final class KnownBases {
         return all.size() > 1;
     }
 
-    /** A connection that stood is lost: the same base is tried again first. Gives how many milliseconds to wait before. */
-    long lost() {
+    /**
+     * A connection that stood is lost. Gives how many milliseconds to wait before the next is made.
+     *
+     * @param silent it was, so that the next base is tried first; else the same one
+     */
+    long lost(boolean silent) {
+        begin();
+        if (silent) {
+            at = (at + 1) % all.size();
+        }
+        return areSeveral() ? 0 : FIRST_WAIT_MS;
+    }
+
+    private void begin() {
         faults.clear();
         standby = false;
         rounds = 0;
-        return areSeveral() ? 0 : FIRST_WAIT_MS;
     }
 
     /** The base at hand cannot be reached, or is a standby. */
@@ -116,6 +127,6 @@ final class KnownBases {
     /** The base at hand holds the session. */
     void holds(long itsEpoch) {
         epoch = itsEpoch;
-        lost();
+        begin();
     }
 }

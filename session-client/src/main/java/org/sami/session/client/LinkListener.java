@@ -20,7 +20,7 @@ interface LinkListener {
     /** A base has answered that does not serve the session, and others are tried; in a sentence. */
     void waits(String words);
 
-    /** Nothing has come for 2 s from a server that sends something every second; or something has come again. The connection stands. */
+    /** Nothing has come for 1.5 s from a server that sends something twice a second; or something has come again. The connection stands. */
     void quiet(boolean now);
 
     /** No server lets this person in, or no longer, or none answered the first connection: nothing is tried any more. */

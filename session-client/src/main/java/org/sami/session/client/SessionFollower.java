@@ -143,7 +143,7 @@ final class SessionFollower implements LinkListener {
     @Override
     public void quiet(boolean now) {
         if (now) {
-            say("nothing has come from " + base + " for 2 s, last seen " + lastSeen());
+            say("nothing comes from " + base + ", last seen " + lastSeen());
         } else if (away) {
             comeBack();
         }

@@ -28,13 +28,13 @@ final class SessionLink {
     private static final int VERSION = 1;
     private static final Duration COMPARING = Duration.ofSeconds(60); // somebody may compare a certificate meanwhile
     private static final Duration CONNECTING = Duration.ofSeconds(5);
-    private static final long LOOK_MS = 500;
+    private static final long LOOK_MS = 250;
     private static final long SILENT_NANOS = TimeUnit.SECONDS.toNanos(30);
 
-    /** Of a server that sends something every second: the lease of a base that is gone lasts as long. */
+    /** Of a server that sends something twice a second: the lease of a base that is gone lasts as long. */
     private static final long SILENT_BASE_NANOS = TimeUnit.SECONDS.toNanos(5);
 
-    private static final long QUIET_NANOS = TimeUnit.SECONDS.toNanos(2);
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(1500);
 
     private final KnownBases bases;
     private final Login login;
@@ -47,7 +47,7 @@ final class SessionLink {
     private volatile long heardNanos = System.nanoTime();
     private boolean welcome; // logged in on this connection
     private boolean welcomed; // on any
-    private boolean beats; // the server sends something every second
+    private boolean beats; // the server sends something twice a second
     private boolean quiet;
     private long epochHere; // of the base at hand, as it says
     private boolean over;
@@ -170,8 +170,7 @@ final class SessionLink {
 
     private void standby(JsonNode message) {
         know(message.path("bases"));
-        String words =
-                bases.current() + " is a standby: " + message.path("text").asText();
+        String words = bases.current() + ", a standby: " + message.path("text").asText();
         attempt++;
         drop(words);
         bases.failed(words, true);
@@ -229,7 +228,7 @@ final class SessionLink {
         long silent = System.nanoTime() - heardNanos;
         boolean gone = beats && bases.areSeveral() && welcome && silent > SILENT_BASE_NANOS;
         if (gone || silent > SILENT_NANOS) {
-            lose("nothing came for " + (gone ? "5 s" : "30 s"));
+            lose("nothing came for " + (gone ? "5 s" : "30 s"), true);
         } else if (beats && welcome && quiet != silent > QUIET_NANOS) {
             quiet = !quiet;
             listener.quiet(quiet);
@@ -245,6 +244,10 @@ final class SessionLink {
 
     /** Ends this connection and connects again, to this base or another. */
     private void lose(String why) {
+        lose(why, false);
+    }
+
+    private void lose(String why, boolean silent) {
         boolean stood = welcome;
         attempt++; // what still comes of this one is late
         drop("the connection was lost before the answer came: look whether it was done");
@@ -252,7 +255,7 @@ final class SessionLink {
             return;
         }
         if (stood) {
-            long wait = bases.lost();
+            long wait = bases.lost(silent);
             listener.lost(why, trying());
             connectIn(wait);
             return;

@@ -29,7 +29,7 @@ class KnownBasesTest {
     void oneBaseIsTriedAgainLaterAndLater() {
         KnownBases bases = new KnownBases(List.of(A));
 
-        assertThat(bases.lost()).isEqualTo(1000);
+        assertThat(bases.lost(false)).isEqualTo(1000);
         assertThat(waits(bases, 6)).containsExactly(1000L, 2000L, 4000L, 8000L, 8000L, 8000L);
     }
 
@@ -38,10 +38,18 @@ class KnownBasesTest {
         KnownBases bases = new KnownBases(List.of(A));
         bases.add(List.of(A, B, C));
 
-        assertThat(bases.lost()).isZero();
+        assertThat(bases.lost(false)).isZero();
         assertThat(bases.current()).isEqualTo(A);
-        assertThat(waits(bases, 9)).containsExactly(0L, 0L, 500L, 0L, 0L, 1000L, 0L, 0L, 2000L);
+        assertThat(waits(bases, 9)).containsExactly(0L, 0L, 500L, 0L, 0L, 1000L, 0L, 0L, 1000L);
         assertThat(bases.current()).isEqualTo(A);
+    }
+
+    @Test
+    void silentOneIsTriedLast() {
+        KnownBases bases = new KnownBases(List.of(A, B));
+
+        assertThat(bases.lost(true)).isZero();
+        assertThat(bases.current()).isEqualTo(B);
     }
 
     @Test

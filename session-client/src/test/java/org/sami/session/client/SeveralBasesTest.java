@@ -190,7 +190,7 @@ class SeveralBasesTest {
         holder.close();
         assertThat(heard("connection lost (")).endsWith(", last seen 14:02:31; trying " + at + ", " + address(other));
         assertThat(heard("connection lost, "))
-                .contains(address(other) + " is a standby: the session is held by laptop-1");
+                .contains(address(other) + ", a standby: the session is held by laptop-1");
         waiting.close();
         serve(other, second, SessionBases.NONE);
 
@@ -213,7 +213,7 @@ class SeveralBasesTest {
 
         assertThat(anna.address()).isEqualTo(at);
         assertThat(heard("wss:"))
-                .endsWith(" is a standby: the session is held by laptop-1; trying "
+                .endsWith(", a standby: the session is held by laptop-1; trying "
                         + address(waiting.listensAt().getPort()) + ", " + at);
     }
 

@@ -27,7 +27,7 @@ final class Fronts implements AutoCloseable {
     private static final int VERSION = 1;
     private static final long TICK_MS = 100;
     private static final int TICKS_PER_SECOND = 10;
-    private static final long BEAT_MS = 1000;
+    private static final long BEAT_MS = 500;
     private static final long PING_MS = 15_000;
     private static final long SILENT_MS = 45_000;
     private static final long HELLO_MS = 10_000;
@@ -259,6 +259,10 @@ final class Fronts implements AutoCloseable {
         if (ready.isEmpty()) {
             return;
         }
+        if (ticks % (BEAT_MS / TICK_MS) == 0) {
+            String beat = PersonMessages.beat(now).toString();
+            ready.forEach(front -> front.send(beat));
+        }
         rows.look(now, hand.drivers());
         Table present = PeopleRows.of(open);
         for (Front front : ready) {
@@ -286,9 +290,6 @@ final class Fronts implements AutoCloseable {
             front.cut();
         } else if (ticks % (PING_MS / TICK_MS) == 0) {
             front.ping();
-        }
-        if (front.person().isPresent() && front.outbox().isIdle()) {
-            front.send(PersonMessages.beat(session.scheduler().nowMs()).toString());
         }
     }
 

@@ -4,11 +4,9 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.security.GeneralSecurityException;
 import java.security.KeyStore;
-import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.security.cert.Certificate;
 import java.time.Duration;
-import java.util.HexFormat;
 import java.util.Optional;
 import java.util.function.Function;
 import javax.net.ssl.KeyManagerFactory;
@@ -178,15 +176,7 @@ final class PageServer {
 
     /** The SHA-256 of the certificate, as browsers show it; empty for plain HTTP. */
     Optional<String> certificate() {
-        return address.identity().map(identity -> {
-            try {
-                byte[] hash = MessageDigest.getInstance("SHA-256")
-                        .digest(identity.certificate().getEncoded());
-                return HexFormat.ofDelimiter(":").withUpperCase().formatHex(hash);
-            } catch (GeneralSecurityException e) {
-                throw new IllegalStateException("a certificate in use can be written", e);
-            }
-        });
+        return address.identity().map(ServerAddress::print);
     }
 
     void stop() {

@@ -4,7 +4,7 @@
 const FIRST_WAIT_MS = 1000;
 const LONGEST_WAIT_MS = 30000;
 const FIRST_WAIT_OF_SEVERAL_MS = 500; // a round costs little, and one of them takes over within seconds
-const LONGEST_WAIT_OF_SEVERAL_MS = 2000;
+const LONGEST_WAIT_OF_SEVERAL_MS = 1000;
 const KEPT = 'bases';
 
 export class Bases {
@@ -56,11 +56,16 @@ export class Bases {
     return this.all.length > 1;
   }
 
-  /** A connection that stood is lost, and the same base is tried first. Gives how many milliseconds to wait. */
-  lost() {
+  /** A connection that stood is lost. Gives how many milliseconds to wait. @param {boolean} isSilent so that the next base is tried first; else the same one */
+  lost(isSilent) {
+    this.begin();
+    this.at = isSilent ? (this.at + 1) % this.all.length : this.at;
+    return this.areSeveral() ? 0 : FIRST_WAIT_MS;
+  }
+
+  begin() {
     this.rounds = 0;
     this.tried = 0;
-    return this.areSeveral() ? 0 : FIRST_WAIT_MS;
   }
 
   /** Turns to the next base. Gives how many milliseconds to wait: longer and longer, each time that all were tried. */
@@ -83,7 +88,7 @@ export class Bases {
       return false;
     }
     this.epoch = epoch;
-    this.lost();
+    this.begin();
     return true;
   }
 

@@ -3,8 +3,8 @@
 import {Bases} from './bases.js';
 
 const SILENT_MS = 30000;
-const SILENT_BASE_MS = 5000; // of a base that sends something every second
-const QUIET_MS = 2000;
+const SILENT_BASE_MS = 5000; // of a base that sends something twice a second
+const QUIET_MS = 1500;
 
 export class Link {
   /**
@@ -22,13 +22,13 @@ export class Link {
     this.heardAt = 0; // this device's clock
     this.aheadMs = 0; // of the session's clock before this device's
     this.bases = new Bases(location, localStorage);
-    this.beats = false; // the base sends something every second
+    this.beats = false; // the base sends something twice a second
     this.waits = ''; // what a standby has said
     this.triedAt = 0;
     this.ids = 0;
     /** @type {Map<number, (reply: any) => void>} */
     this.asked = new Map();
-    window.setInterval(() => this.look(), 1000);
+    window.setInterval(() => this.look(), 500);
   }
 
   /** @param {string} name @param {string} key */
@@ -59,14 +59,14 @@ export class Link {
     };
   }
 
-  lost() {
+  lost(isSilent = false) {
     const stood = this.isOpen;
     this.socket = undefined;
     this.isOpen = false;
     this.asked.forEach((reply) => reply({t: 'refused', text: 'The link to the session is lost'}));
     this.asked.clear();
     if (this.name !== undefined) {
-      window.setTimeout(() => this.connect(), stood ? this.bases.lost() : this.bases.next());
+      window.setTimeout(() => this.connect(), stood ? this.bases.lost(isSilent) : this.bases.next());
     }
     this.listener.changed();
   }
@@ -76,20 +76,20 @@ export class Link {
     const isSilent = this.isOpen && now - this.heardAt > (this.beats && this.bases.areSeveral() ? SILENT_BASE_MS : SILENT_MS);
     const answersNot = !this.isOpen && this.socket && this.bases.areSeveral() && now - this.triedAt > SILENT_BASE_MS;
     if (isSilent || answersNot) {
-      this.turnAway();
+      this.turnAway(true);
     } else {
       this.listener.changed();
     }
   }
 
   /** Leaves the base at hand and tries again, there or at another. */
-  turnAway() {
+  turnAway(isSilent = false) {
     const old = this.socket;
-    this.lost();
+    this.lost(isSilent);
     old?.close();
   }
 
-  /** Whether nothing has come for 2 s from a base that sends something every second. */
+  /** Whether nothing has come for 1.5 s from a base that sends something twice a second. */
   isQuiet() {
     return this.isOpen && this.beats && Date.now() - this.heardAt > QUIET_MS;
   }
@@ -119,7 +119,7 @@ export class Link {
         }
         break;
       case 'standby':
-        this.waits = this.bases.name() + ' is a standby: ' + message.text;
+        this.waits = this.bases.name() + ', a standby: ' + message.text;
         this.bases.add(message.bases ?? []);
         break; // and it closes
       case 'done':

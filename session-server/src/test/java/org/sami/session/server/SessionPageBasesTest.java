@@ -107,7 +107,7 @@ class SessionPageBasesTest {
 
         holder.close();
         browser.until(STATE + ".includes('; trying 127.0.0.1:" + first + ", 127.0.0.1:" + second + "')");
-        browser.until(STATE + ".includes('127.0.0.1:" + second + " is a standby: the session is held by laptop-1')");
+        browser.until(STATE + ".includes('127.0.0.1:" + second + ", a standby: the session is held by laptop-1')");
         standby.close();
         holder = serve(second, first);
 

@@ -110,6 +110,38 @@ class FrontsFollowTest {
         }
     }
 
+    @Test
+    void frontLeavesABaseThatStandsStillAndDoesNotGoBackToIt() throws Exception {
+        String journal = TestDatabase.address().text();
+        ExecutorService front = Executors.newSingleThreadExecutor();
+        try (Doorway one = new Doorway();
+                Doorway two = new Doorway()) {
+            String bases = one.address() + "," + two.address();
+            try (CrwProcess first = serve(journal, "--bases", bases);
+                    CrwProcess standby = serve(journal, "--bases", bases, "--standby")) {
+                one.leadTo(port(first, "the session is at "));
+                two.leadTo(port(standby, "standby: it answers at "));
+                await(standby, "standby: the session is held by ");
+                try (RemoteSession anna = open(one.address(), front)) {
+                    get(anna.caughtUp());
+
+                    first.standStill(true);
+
+                    assertThat(heard("nothing comes from ")).startsWith("nothing comes from " + one.address());
+                    assertThat(heard("connection lost (")).startsWith("connection lost (nothing came for 5 s)");
+                    assertThat(heard("back at ws")).isEqualTo("back at " + two.address());
+                    first.standStill(false);
+                    Await.until("the first base knows that it was followed", AT_MOST_S, () -> !first.isAlive());
+                    assertThat(first.out()).contains(" took the session over at ");
+                    get(anna.caughtUp());
+                    assertThat(anna.address()).hasToString(two.address());
+                }
+            }
+        } finally {
+            front.shutdown();
+        }
+    }
+
     /** Such as a form asks while somebody types. */
     private static void assertHalfIsJudged(RemoteSession anna, PendingDecision asked) throws Exception {
         DraftAnswer half = DraftAnswer.of(Map.of(POINT, GeoPoint.of(45.4, 10.9)));
