@@ -114,6 +114,13 @@ public final class CrwProcess implements AutoCloseable {
         return process.pid();
     }
 
+    /** Lets it stand still, as on a machine that does nothing any more, or go on. */
+    public void standStill(boolean still) throws IOException, InterruptedException {
+        new ProcessBuilder("kill", still ? "-STOP" : "-CONT", Long.toString(pid()))
+                .start()
+                .waitFor();
+    }
+
     /** Tells it to end, as {@code kill} and the system's shutdown do. */
     public void terminate() {
         process.toHandle().destroy();

@@ -285,7 +285,8 @@ class RemoteWindowTest {
             return new ConnectionBand();
         });
         RemoteSession session = RemoteSession.open(
-                SessionAddress.parse("ws://127.0.0.1:" + server.listensAt().getPort()),
+                List.of(SessionAddress.parse(
+                        "ws://127.0.0.1:" + server.listensAt().getPort())),
                 new Login("anna", "key of anna"),
                 new ServerTrust(new KnownServers(folder.resolve("servers")), (authority, print) -> false),
                 EventThread.executor(),

@@ -71,10 +71,10 @@ public final class DecisionQueue extends Model<List<PendingDecision>> {
         }
     }
 
-    /** Forgets all, telling nobody that one was answered. */
-    void clear() {
-        byId.clear();
-        ordered.clear();
+    /** Forgets all but those that wait as they did, telling nobody that one was answered. What was half entered for one that stays belongs to it still. */
+    void retain(List<Decision> waiting) {
+        byId.values().removeIf(pending -> !waiting.contains(pending.decision()));
+        ordered.retainAll(byId.values());
         change();
     }
 

@@ -218,8 +218,8 @@ final class EngineFeed {
     }
 
     /** Forgets what happened, in this feed. On the engine's thread. */
-    void forget(EngineView empty) {
-        plans.restore(empty);
-        avoided.restore(empty);
+    void forget(EngineView next) {
+        plans.restore(next);
+        avoided.restore(next);
     }
 }

@@ -19,6 +19,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -313,13 +314,16 @@ public final class OperatorModels implements HostListener, MessageSink {
         inbox.post(() -> held = hold);
     }
 
-    /** Forgets what happened. What the operator chose to see, and muted, stays. On the engine's thread. */
-    void forget(EngineView empty) {
-        engine.forget(empty);
+    /**
+     * Forgets what happened. What the operator chose to see, and muted, stays, and so do decisions that wait in the state which follows. On the engine's thread.
+     */
+    void forget(EngineView next) {
+        engine.forget(next);
+        List<Decision> waiting = next.decisions();
         stuck.forget();
         inbox.post(() -> {
             variables.clear();
-            decisions.clear();
+            decisions.retain(waiting);
             messages.clear();
             missions.clear();
             fleet.clear();

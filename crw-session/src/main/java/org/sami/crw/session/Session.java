@@ -48,7 +48,8 @@ public final class Session implements FrontSession, AutoCloseable {
     private final SessionParts parts;
     private final SessionEngine engine;
     private final AtomicBoolean boatsLookedFor = new AtomicBoolean();
-    private final AtomicBoolean begun = new AtomicBoolean();
+    private final AtomicBoolean begins = new AtomicBoolean();
+    private final CompletableFuture<Void> begun = new CompletableFuture<>();
     private final AtomicBoolean closed = new AtomicBoolean();
     private final Fleet fleet;
     private final ByHand byHand;
@@ -112,11 +113,17 @@ public final class Session implements FrontSession, AutoCloseable {
      * @throws IllegalStateException if it has begun
      */
     public void begin() {
-        if (!begun.compareAndSet(false, true)) {
+        if (!begins.compareAndSet(false, true)) {
             throw new IllegalStateException("the session has begun already");
         }
         noteBegin();
         parts.begin();
+        begun.complete(null);
+    }
+
+    /** Completes when it has begun: what the engine is asked afterwards finds the models with what an earlier process left open. */
+    public CompletionStage<Void> begun() {
+        return begun;
     }
 
     /** The boats of earlier processes; for the time before {@link #begin}. */

@@ -86,8 +86,8 @@ final class PostgresJournal implements StoredJournal {
         return recovery;
     }
 
-    /** Which lease of the journal this process has. */
-    long epoch() {
+    @Override
+    public long epoch() {
         return lease.epoch();
     }
 

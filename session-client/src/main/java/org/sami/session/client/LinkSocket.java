@@ -10,8 +10,6 @@ import java.util.function.Consumer;
 
 /** One WebSocket to a session's server. Sends texts one after the other. What arrives is given to a listener, on any thread, one after the other. */
 final class LinkSocket implements WebSocket.Listener {
-    private static final Duration CONNECTING = Duration.ofSeconds(60); // somebody may compare a certificate meanwhile
-
     private final Consumer<String> received;
     private final Runnable heard;
     private final Consumer<String> closed;
@@ -28,18 +26,20 @@ final class LinkSocket implements WebSocket.Listener {
     /**
      * Connects.
      *
+     * @param within until the server has answered
      * @param heard run when anything has arrived
      * @param closed given why it ended, once it was open; may be empty text
      */
     static CompletionStage<LinkSocket> connect(
             HttpClient client,
             SessionAddress address,
+            Duration within,
             Consumer<String> received,
             Runnable heard,
             Consumer<String> closed) {
         LinkSocket socket = new LinkSocket(received, heard, closed);
         return client.newWebSocketBuilder()
-                .connectTimeout(CONNECTING)
+                .connectTimeout(within)
                 .buildAsync(address.link(), socket)
                 .thenApply(open -> {
                     socket.open(open);

@@ -51,7 +51,6 @@ import org.sami.spn.vocabulary.Vocabulary;
  * which says what came of them after their results have arrived here. A lost connection is made again by itself, and what is shown meanwhile is as it was seen last.
  */
 public final class RemoteSession implements FrontSession, AutoCloseable {
-    private final SessionAddress address;
     private final Login login;
     private final Executor front;
     private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(named("session link"));
@@ -61,17 +60,16 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
     private final AtomicBoolean closed = new AtomicBoolean();
 
     private RemoteSession(
-            SessionAddress address,
+            List<SessionAddress> bases,
             Login login,
             ServerTrust trust,
             Executor front,
             RemoteListener listener,
             Supplier<LocalTime> wallClock) {
-        this.address = address;
         this.login = login;
         this.front = front;
         follower = new SessionFollower(
-                address, login, trust, front, computing, listener, wallClock, thread, fleet::disconnected);
+                bases, login, trust, front, computing, listener, wallClock, thread, fleet::disconnected);
     }
 
     private static ThreadFactory named(String name) {
@@ -83,21 +81,22 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
     }
 
     /**
-     * Connects, logs in and waits until the session is known here.
+     * Connects, logs in and waits until the session is known here. A standby among the bases is asked again until one of them holds the session.
      *
+     * @param bases where the session may be, at least one; bases that these name are found as well
      * @param front where models live and results arrive: a window's event thread, or a thread of the caller's
      * @param wallClock the time of day, for people
      * @throws IOException in words, if no server answers, it does not let this person in, or this program cannot follow the session
      */
     public static RemoteSession open(
-            SessionAddress address,
+            List<SessionAddress> bases,
             Login login,
             ServerTrust trust,
             Executor front,
             RemoteListener listener,
             Supplier<LocalTime> wallClock)
             throws IOException, InterruptedException {
-        RemoteSession session = new RemoteSession(address, login, trust, front, listener, wallClock);
+        RemoteSession session = new RemoteSession(bases, login, trust, front, listener, wallClock);
         session.follower.start();
         try {
             session.follower.shown().get();
@@ -112,9 +111,9 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         }
     }
 
-    /** Where it is served. */
+    /** The base that serves it, or did last. */
     public SessionAddress address() {
-        return address;
+        return follower.base();
     }
 
     /** Who takes part here. */

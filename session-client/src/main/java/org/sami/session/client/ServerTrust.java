@@ -7,7 +7,9 @@ import java.security.MessageDigest;
 import java.security.cert.CertificateException;
 import java.security.cert.X509Certificate;
 import java.util.HexFormat;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiPredicate;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLEngine;
@@ -16,11 +18,13 @@ import javax.net.ssl.X509ExtendedTrustManager;
 
 /**
  * Trusts a session's server by its certificate, which carries a key and no name (decision 0473): the one that was compared at the first connection, and no other
- * afterwards. Safe for use by several threads.
+ * afterwards; other bases of a session by what a trusted one names. Safe for use by several threads.
  */
 public final class ServerTrust {
     private final KnownServers known;
     private final BiPredicate<String, String> confirm;
+    private final Map<String, String> announced = new ConcurrentHashMap<>(); // by HOST:PORT
+    private volatile boolean asks = true;
 
     /**
      * Trust in servers that are known, or that somebody confirms.
@@ -30,6 +34,19 @@ public final class ServerTrust {
     public ServerTrust(KnownServers known, BiPredicate<String, String> confirm) {
         this.known = known;
         this.confirm = confirm;
+    }
+
+    /**
+     * A base that is trusted names the certificate of another base of its session. It is trusted for this session alone and not kept: whoever connects there first by hand compares it as any
+     * other. What a person has compared goes before it.
+     */
+    void announce(String authority, String print) {
+        announced.put(authority, print);
+    }
+
+    /** Nobody is asked about certificates any more: people are at work in the session. */
+    void askNoLonger() {
+        asks = false;
     }
 
     SSLContext context(SessionAddress address) {
@@ -54,15 +71,27 @@ public final class ServerTrust {
                                 + print + "; if that is right, take its line out of " + known.file());
             }
             if (before.isEmpty()) {
-                if (!confirm.test(authority, print)) {
-                    throw new CertificateException(
-                            "nobody has compared the certificate of " + authority + ", whose SHA-256 is " + print);
-                }
-                known.add(authority, print);
+                checkNew(authority, print);
             }
         } catch (IOException | GeneralSecurityException fault) {
             throw fault instanceof CertificateException refused ? refused : new CertificateException(fault);
         }
+    }
+
+    private void checkNew(String authority, String print) throws IOException, CertificateException {
+        String named = announced.get(authority);
+        if (print.equals(named)) {
+            return;
+        }
+        if (named != null) {
+            throw new CertificateException("another server is at " + authority
+                    + " than the session's base: its certificate has the SHA-256 " + print);
+        }
+        if (!asks || !confirm.test(authority, print)) {
+            throw new CertificateException(
+                    "nobody has compared the certificate of " + authority + ", whose SHA-256 is " + print);
+        }
+        known.add(authority, print);
     }
 
     private final class OfOneServer extends X509ExtendedTrustManager {

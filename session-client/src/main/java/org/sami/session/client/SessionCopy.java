@@ -160,6 +160,11 @@ final class SessionCopy {
         followed.look();
     }
 
+    /** The rows of the session's bases. */
+    List<JsonNode> bases() {
+        return tables.rows("bases");
+    }
+
     private void boats(JsonNode message, long now) {
         for (JsonNode row : message.path("set").path("boats")) {
             Optional<BoatSample> sample = LinkRowReader.boat(

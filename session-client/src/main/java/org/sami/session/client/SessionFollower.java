@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.time.LocalTime;
 import java.time.format.DateTimeFormatter;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -21,7 +22,6 @@ import org.sami.spn.json.UnreadableJsonException;
 final class SessionFollower implements LinkListener {
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
 
-    private final SessionAddress address;
     private final Login login;
     private final Executor front;
     private final Executor computing;
@@ -33,6 +33,8 @@ final class SessionFollower implements LinkListener {
     private final SessionLink link;
     private Optional<LocalTime> seen = Optional.empty();
     private boolean away;
+    private String said = "";
+    private volatile SessionAddress base;
     private volatile PersonRights rights = new PersonRights("", Set.of());
 
     /**
@@ -41,7 +43,7 @@ final class SessionFollower implements LinkListener {
      * @param disconnected is run when a connection has ended, and the server has forgotten what was claimed by it
      */
     SessionFollower(
-            SessionAddress address,
+            List<SessionAddress> bases,
             Login login,
             ServerTrust trust,
             Executor front,
@@ -50,14 +52,14 @@ final class SessionFollower implements LinkListener {
             Supplier<LocalTime> wallClock,
             ScheduledExecutorService thread,
             Runnable disconnected) {
-        this.address = address;
         this.login = login;
         this.front = front;
         this.computing = computing;
         this.listener = listener;
         this.wallClock = wallClock;
         this.disconnected = disconnected;
-        link = new SessionLink(address, login, trust, this, thread);
+        base = bases.get(0);
+        link = new SessionLink(bases, login, trust, this, thread);
     }
 
     /** Connects, and keeps at it. */
@@ -80,6 +82,11 @@ final class SessionFollower implements LinkListener {
         link.close();
     }
 
+    /** The base that held the session last. From any thread. */
+    SessionAddress base() {
+        return base;
+    }
+
     /** What the person may do, as its server said last. From any thread. */
     PersonRights rights() {
         return rights;
@@ -87,6 +94,7 @@ final class SessionFollower implements LinkListener {
 
     @Override
     public void welcomed(JsonNode message) {
+        base = link.base();
         take(PersonRights.of(message), copy().isPresent());
         ObjectNode follow = ServerRequests.message("follow");
         copy().filter(known -> !known.id().isEmpty())
@@ -96,9 +104,11 @@ final class SessionFollower implements LinkListener {
                 failed(RefusedException.reason(fault));
             } else if (fault != null) {
                 link.again(RefusedException.reason(fault));
-            } else if (away) {
-                away = false;
-                listener.back();
+            } else {
+                link.holds();
+                if (away) {
+                    comeBack();
+                }
             }
         });
     }
@@ -113,15 +123,42 @@ final class SessionFollower implements LinkListener {
         }
     }
 
+    private void comeBack() {
+        away = false;
+        said = "";
+        listener.back(base);
+    }
+
     @Override
-    public void lost(String why) {
+    public void lost(String why, String trying) {
         disconnected.run();
-        if (copy().isEmpty()) {
-            failed(why);
-        } else if (!away) {
-            away = true;
-            listener.lost("connection lost (" + why + "), last seen "
-                    + seen.map(CLOCK::format).orElse("never") + "; it is tried again");
+        say("connection lost (" + why + "), last seen " + lastSeen() + trying);
+    }
+
+    @Override
+    public void waits(String words) {
+        say(copy().isEmpty() ? words : "connection lost, last seen " + lastSeen() + "; " + words);
+    }
+
+    @Override
+    public void quiet(boolean now) {
+        if (now) {
+            say("nothing comes from " + base + ", last seen " + lastSeen());
+        } else if (away) {
+            comeBack();
+        }
+    }
+
+    private String lastSeen() {
+        return seen.map(CLOCK::format).orElse("never");
+    }
+
+    /** Each sentence once, until the session is back. */
+    private void say(String words) {
+        away = true;
+        if (!words.equals(said)) {
+            said = words;
+            listener.lost(words);
         }
     }
 
@@ -141,6 +178,9 @@ final class SessionFollower implements LinkListener {
             case "rows" ->
                 copy().ifPresent(known -> {
                     known.rows(message);
+                    if (message.path("set").has("bases")) {
+                        link.know(known.bases());
+                    }
                     shown.complete(known);
                 });
             case "rights" -> take(PersonRights.of(message), true);
@@ -166,11 +206,12 @@ final class SessionFollower implements LinkListener {
     private void begin(JsonNode message) throws IOException {
         Optional<SessionCopy> known = copy();
         if (known.isPresent() && !known.get().isOf(message)) {
-            throw new IOException("another session is at " + address + " now");
+            link.leaveOut("another session is at " + base + " now");
+            return;
         }
         SessionCopy copy = known.isPresent()
                 ? known.get()
-                : new SessionCopy(message, address.toString(), front, computing, acknowledgements());
+                : new SessionCopy(message, base.toString(), front, computing, acknowledgements());
         copy.begin(message);
         first.complete(copy);
     }

@@ -3,60 +3,74 @@ package org.sami.session.client;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.net.ConnectException;
 import java.net.http.HttpClient;
-import java.security.cert.CertificateException;
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import org.sami.crw.replay.FollowJson;
 import org.sami.crw.session.RefusedException;
 
 /**
- * The link to a session's server (docs/session-link.md): logs in, sends requests and waits for their replies, connects again when the connection is lost. All of it on one
- * thread, which is the caller's and shared with what follows the session.
+ * The link to a session's server (docs/session-link.md): logs in, sends requests and waits for their replies, connects again when the connection is lost, to whichever of the session's bases
+ * holds it. All of it on one thread, which is the caller's and shared with what follows the session.
  */
 final class SessionLink {
     private static final int VERSION = 1;
-    private static final long FIRST_DELAY_MS = 1000;
-    private static final long LONGEST_DELAY_MS = 8000;
-    private static final long LOOK_MS = 1000;
+    private static final Duration COMPARING = Duration.ofSeconds(60); // somebody may compare a certificate meanwhile
+    private static final Duration CONNECTING = Duration.ofSeconds(5);
+    private static final long LOOK_MS = 250;
     private static final long SILENT_NANOS = TimeUnit.SECONDS.toNanos(30);
 
-    private final SessionAddress address;
+    /** Of a server that sends something twice a second: the lease of a base that is gone lasts as long. */
+    private static final long SILENT_BASE_NANOS = TimeUnit.SECONDS.toNanos(5);
+
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(1500);
+
+    private final KnownBases bases;
     private final Login login;
-    private final HttpClient client;
+    private final ServerTrust trust;
+    private final Map<SessionAddress, HttpClient> clients = new HashMap<>();
     private final LinkListener listener;
     private final ScheduledExecutorService thread;
-    private final Map<Long, CompletableFuture<JsonNode>> open = new HashMap<>();
+    private final OpenRequests requests = new OpenRequests();
     private Optional<LinkSocket> socket = Optional.empty();
     private volatile long heardNanos = System.nanoTime();
     private boolean welcome; // logged in on this connection
+    private boolean welcomed; // on any
+    private boolean beats; // the server sends something twice a second
+    private boolean quiet;
+    private long epochHere; // of the base at hand, as it says
     private boolean over;
     private long attempt; // of connecting; what comes from an earlier one is left alone
-    private long requests;
-    private long delayMillis = FIRST_DELAY_MS;
 
     SessionLink(
-            SessionAddress address,
+            List<SessionAddress> bases,
             Login login,
             ServerTrust trust,
             LinkListener listener,
             ScheduledExecutorService thread) {
-        this.address = address;
+        this.bases = new KnownBases(bases);
         this.login = login;
+        this.trust = trust;
         this.listener = listener;
         this.thread = thread;
-        HttpClient.Builder builder = HttpClient.newBuilder();
-        client = address.secure() ? builder.sslContext(trust.context(address)).build() : builder.build();
+    }
+
+    private HttpClient client(SessionAddress address) {
+        return clients.computeIfAbsent(address, made -> {
+            HttpClient.Builder builder = HttpClient.newBuilder();
+            return made.secure() ? builder.sslContext(trust.context(made)).build() : builder.build();
+        });
     }
 
     /** Connects, and keeps at it. */
@@ -79,14 +93,16 @@ final class SessionLink {
         }
         long now = ++attempt;
         heardNanos = System.nanoTime();
+        SessionAddress address = bases.current();
         Consumer<Runnable> ofThisAttempt = work -> execute(() -> {
             if (now == attempt && !over) {
                 work.run();
             }
         });
         LinkSocket.connect(
-                        client,
+                        client(address),
                         address,
+                        welcomed ? CONNECTING : COMPARING,
                         text -> ofThisAttempt.accept(() -> take(text)),
                         () -> heardNanos = System.nanoTime(),
                         why -> ofThisAttempt.accept(() -> lose(why.isEmpty() ? "it was closed" : why)))
@@ -94,27 +110,12 @@ final class SessionLink {
                     if (now != attempt || over) {
                         Optional.ofNullable(connected).ifPresent(LinkSocket::cut);
                     } else if (fault != null) {
-                        lose(words(fault));
+                        lose(LinkFaults.words(fault, address));
                     } else {
                         socket = Optional.of(connected);
                         hello(connected);
                     }
                 }));
-    }
-
-    private String words(Throwable fault) {
-        Throwable cause = fault;
-        while (cause instanceof CompletionException && cause.getCause() != null) {
-            cause = cause.getCause();
-        }
-        if (cause instanceof ConnectException) {
-            return "no server answers at " + address;
-        }
-        Throwable root = cause;
-        while (root.getCause() != null && !(root instanceof CertificateException)) {
-            root = root.getCause();
-        }
-        return root.getMessage() == null ? root.toString() : root.getMessage();
     }
 
     private void hello(LinkSocket connected) {
@@ -132,23 +133,78 @@ final class SessionLink {
     private void take(String text) {
         JsonNode message = FollowJson.parse(text);
         String type = message.path("t").asText();
-        CompletableFuture<JsonNode> asked = open.get(message.path("id").asLong());
         if (type.equals("welcome")) {
-            welcome = true;
-            delayMillis = FIRST_DELAY_MS;
-            listener.welcomed(message);
-        } else if (type.equals("bye") || (type.equals("refused") && !welcome)) {
+            welcome(message);
+        } else if (type.equals("standby") && !welcome) {
+            standby(message);
+        } else if (type.equals("bye")) {
             end(message.path("text").asText());
-        } else if (type.equals("done") && asked != null) {
-            open.remove(message.path("id").asLong());
-            asked.complete(message);
-        } else if (type.equals("refused") && asked != null) {
-            open.remove(message.path("id").asLong());
-            asked.completeExceptionally(
-                    new RefusedException(message.path("text").asText()));
-        } else {
+        } else if (type.equals("refused") && !welcome) {
+            leaveOut(message.path("text").asText());
+        } else if (!requests.settle(message)) {
             listener.received(message);
         }
+    }
+
+    private void welcome(JsonNode message) {
+        long epoch = message.path("epoch").asLong();
+        if (bases.isSuperseded(epoch)) {
+            lose(bases.current() + " held the session before, and another base does now");
+            return;
+        }
+        epochHere = epoch;
+        trust.askNoLonger();
+        beats = message.path("beat").asLong() > 0;
+        quiet = false;
+        welcome = true;
+        welcomed = true;
+        listener.welcomed(message);
+    }
+
+    /** The base at hand has the session that is followed. */
+    void holds() {
+        if (welcome) {
+            bases.holds(epochHere);
+        }
+    }
+
+    private void standby(JsonNode message) {
+        know(message.path("bases"));
+        String words = bases.current() + ", a standby: " + message.path("text").asText();
+        attempt++;
+        drop(words);
+        bases.failed(words, true);
+        listener.waits(words + trying());
+        tryNext();
+    }
+
+    /** Takes up the bases that a base, which is trusted, names with their certificates. */
+    void know(Iterable<JsonNode> rows) {
+        List<SessionAddress> named = new ArrayList<>();
+        for (JsonNode row : rows) {
+            try {
+                SessionAddress one = SessionAddress.parse(row.path("id").asText());
+                if (row.has("certificate")) {
+                    trust.announce(one.authority(), row.path("certificate").asText());
+                }
+                named.add(one);
+            } catch (IllegalArgumentException unfit) {
+                // not for this front: such as an address of the base's own machine by another name
+            }
+        }
+        bases.add(named);
+    }
+
+    /** Where the session is, or is looked for. On the link's thread. */
+    SessionAddress base() {
+        return bases.current();
+    }
+
+    private String trying() {
+        return bases.areSeveral()
+                ? "; trying "
+                        + bases.all().stream().map(SessionAddress::toString).collect(Collectors.joining(", "))
+                : "; it is tried again";
     }
 
     /** Asks for something; the reply completes the stage on the link's thread. Fails at once where there is no connection. */
@@ -156,19 +212,26 @@ final class SessionLink {
         CompletableFuture<JsonNode> reply = new CompletableFuture<>();
         execute(() -> {
             if (!welcome || socket.isEmpty()) {
-                reply.completeExceptionally(new RefusedException("there is no connection to " + address + " now"));
+                reply.completeExceptionally(
+                        new RefusedException("there is no connection to " + bases.current() + " now"));
                 return;
             }
-            long id = ++requests;
-            open.put(id, reply);
-            socket.get().send(message.put("id", id).toString());
+            socket.get().send(message.put("id", requests.add(reply)).toString());
         });
         return reply;
     }
 
     private void look() {
-        if (!over && socket.isPresent() && System.nanoTime() - heardNanos > SILENT_NANOS) {
-            lose("nothing came for 30 s");
+        if (over || socket.isEmpty()) {
+            return;
+        }
+        long silent = System.nanoTime() - heardNanos;
+        boolean gone = beats && bases.areSeveral() && welcome && silent > SILENT_BASE_NANOS;
+        if (gone || silent > SILENT_NANOS) {
+            lose("nothing came for " + (gone ? "5 s" : "30 s"), true);
+        } else if (beats && welcome && quiet != silent > QUIET_NANOS) {
+            quiet = !quiet;
+            listener.quiet(quiet);
         }
     }
 
@@ -179,25 +242,58 @@ final class SessionLink {
         }
     }
 
-    /** Ends this connection and connects again later. */
+    /** Ends this connection and connects again, to this base or another. */
     private void lose(String why) {
+        lose(why, false);
+    }
+
+    private void lose(String why, boolean silent) {
+        boolean stood = welcome;
         attempt++; // what still comes of this one is late
         drop("the connection was lost before the answer came: look whether it was done");
         if (over) {
             return;
         }
-        listener.lost(why);
-        var unused = thread.schedule(this::connect, delayMillis, TimeUnit.MILLISECONDS);
-        delayMillis = Math.min(LONGEST_DELAY_MS, delayMillis * 2);
+        if (stood) {
+            long wait = bases.lost(silent);
+            listener.lost(why, trying());
+            connectIn(wait);
+            return;
+        }
+        bases.failed(why, false);
+        if (!welcomed && bases.isRoundOver() && bases.nobodyWaits()) {
+            end(bases.faults());
+            return;
+        }
+        tryNext();
+    }
+
+    private void tryNext() {
+        connectIn(bases.next());
+    }
+
+    private void connectIn(long millis) {
+        var unused = thread.schedule(this::connect, millis, TimeUnit.MILLISECONDS);
+    }
+
+    /** The base at hand is none for this front: it is never tried again. The link ends where there is no other. */
+    void leaveOut(String why) {
+        SessionAddress left = bases.current();
+        if (!bases.leaveOut()) {
+            end(why);
+            return;
+        }
+        attempt++;
+        drop(why);
+        listener.waits(left + ": " + why + trying());
+        connectIn(0);
     }
 
     private void drop(String why) {
         socket.ifPresent(LinkSocket::cut);
         socket = Optional.empty();
         welcome = false;
-        List<CompletableFuture<JsonNode>> waiting = List.copyOf(open.values());
-        open.clear();
-        waiting.forEach(one -> one.completeExceptionally(new RefusedException(why)));
+        requests.drop(why);
     }
 
     private void end(String why) {

@@ -108,7 +108,7 @@ class RemoteSessionTest {
         }
 
         @Override
-        public void back() {
+        public void back(SessionAddress base) {
             lines.add("back");
         }
 
@@ -141,8 +141,8 @@ class RemoteSessionTest {
             throws Exception {
         ServerTrust trust = new ServerTrust(
                 new KnownServers(folder.resolve("servers")), (authority, print) -> compared.test(print));
-        RemoteSession one =
-                RemoteSession.open(address, new Login(name, key), trust, front, heard, () -> LocalTime.of(14, 2, 31));
+        RemoteSession one = RemoteSession.open(
+                List.of(address), new Login(name, key), trust, front, heard, () -> LocalTime.of(14, 2, 31));
         opened.add(one);
         return one;
     }

@@ -1,10 +1,8 @@
 package org.sami.session.server;
 
 import java.io.IOException;
-import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletionStage;
@@ -29,20 +27,19 @@ final class Fronts implements AutoCloseable {
     private static final int VERSION = 1;
     private static final long TICK_MS = 100;
     private static final int TICKS_PER_SECOND = 10;
+    private static final long BEAT_MS = 500;
     private static final long PING_MS = 15_000;
     private static final long SILENT_MS = 45_000;
     private static final long HELLO_MS = 10_000;
-    private static final double LOGINS_PER_SECOND = 5 / 60.0;
-    private static final int LOGINS_AT_ONCE = 5;
-    private static final int MOST_ADDRESSES = 1000;
 
     private final Session session;
     private final People people;
     private final RobotKind robots;
+    private final Table bases;
     private final LongSupplier nanos;
     private final SettledDecisions settled = new SettledDecisions();
     private final Set<Front> open = new LinkedHashSet<>();
-    private final Map<String, MessageAllowance> failedLogins = new HashMap<>();
+    private final FailedLogins failedLogins;
     private final SessionRows rows;
     private final HandDriving hand;
     private final JournalFeed feed;
@@ -56,11 +53,13 @@ final class Fronts implements AutoCloseable {
     private long ticks;
 
     /** Fronts of a session; none is connected. */
-    Fronts(Session session, People people, RobotKind robots, LongSupplier nanos) {
+    Fronts(Session session, People people, RobotKind robots, SessionBases bases, LongSupplier nanos) {
         this.session = session;
         this.people = people;
         this.robots = robots;
+        this.bases = bases.table();
         this.nanos = nanos;
+        failedLogins = new FailedLogins(nanos);
         PeopleNews news = new PeopleNews(session, this::sendToAll);
         rows = new SessionRows(session.models(), session.setup().vocabulary().types());
         hand = new HandDriving(session, news);
@@ -205,21 +204,8 @@ final class Fronts implements AutoCloseable {
         } else if (!people.needKeys()) {
             refuseLogin(front, "a name has 1 to 40 letters, digits, '-', '_' or '.'");
         } else {
-            failed(front);
+            refuseLogin(front, failedLogins.refusal(front.address()));
         }
-    }
-
-    private void failed(Front front) {
-        failedLogins.values().removeIf(MessageAllowance::isFull);
-        if (failedLogins.size() < MOST_ADDRESSES) {
-            MessageAllowance allowance = failedLogins.computeIfAbsent(
-                    front.address(), address -> new MessageAllowance(LOGINS_PER_SECOND, LOGINS_AT_ONCE, nanos));
-            if (!allowance.allows()) {
-                refuseLogin(front, "too many wrong names or keys from " + front.address() + "; wait a minute");
-                return;
-            }
-        }
-        refuseLogin(front, "no such name and key");
     }
 
     private static void refuseLogin(Front front, String why) {
@@ -228,10 +214,15 @@ final class Fronts implements AutoCloseable {
     }
 
     private void welcome(Front front, Person person) {
-        session.ask(view -> List.copyOf(view.project().plans()))
+        session.begun()
+                .thenCompose(
+                        begun -> session.ask(view -> List.copyOf(view.project().plans())))
+                .thenCompose(plans -> session.models().shown().thenApply(shown -> plans)) // what was open is there
                 .thenAccept(plans -> execute(() -> {
-                    front.send(PersonMessages.welcome(
-                                    person, VERSION, session.scheduler().nowMs(), robots.word(), plans)
+                    front.send(PersonMessages.welcome(person, VERSION, robots.word(), plans)
+                            .put("now", session.scheduler().nowMs())
+                            .put("epoch", session.setup().journal().epoch())
+                            .put("beat", BEAT_MS)
                             .toString());
                     front.login(person);
                 }));
@@ -268,6 +259,10 @@ final class Fronts implements AutoCloseable {
         if (ready.isEmpty()) {
             return;
         }
+        if (ticks % (BEAT_MS / TICK_MS) == 0) {
+            String beat = PersonMessages.beat(now).toString();
+            ready.forEach(front -> front.send(beat));
+        }
         rows.look(now, hand.drivers());
         Table present = PeopleRows.of(open);
         for (Front front : ready) {
@@ -275,6 +270,7 @@ final class Fronts implements AutoCloseable {
                 following.send(front);
                 List<Table> tables = rows.tables(person);
                 tables.add(present);
+                tables.add(bases);
                 tables.removeIf(table -> !following.needs(front, table));
                 front.rows().changes(tables, now).ifPresent(message -> front.send(message.toString()));
             });

@@ -27,7 +27,7 @@ final class PageHandler extends Handler.Abstract {
 
     private static final String POLICY =
             "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:;"
-                    + " font-src 'self'; connect-src 'self'; manifest-src 'self'; worker-src 'self'; base-uri 'none';"
+                    + " font-src 'self'; connect-src 'self'%s; manifest-src 'self'; worker-src 'self'; base-uri 'none';"
                     + " form-action 'none'; frame-ancestors 'none'";
     private static final int MOST_BYTES = 8 << 20;
     private static final Pattern PATH = Pattern.compile("(/[A-Za-z0-9_-][A-Za-z0-9_.-]*)+");
@@ -46,10 +46,21 @@ final class PageHandler extends Handler.Abstract {
             Map.entry("txt", TEXT),
             Map.entry("pbf", "application/x-protobuf"));
 
+    private final String policy;
+
+    /**
+     * Serves the page.
+     *
+     * @param bases to which the page may connect besides
+     */
+    PageHandler(SessionBases bases) {
+        policy = POLICY.formatted(bases.sources());
+    }
+
     @Override
     public boolean handle(Request request, Response response, Callback callback) throws IOException {
         response.getHeaders()
-                .put("Content-Security-Policy", POLICY)
+                .put("Content-Security-Policy", policy)
                 .put("X-Content-Type-Options", "nosniff")
                 .put("Referrer-Policy", "no-referrer")
                 .put("Cross-Origin-Opener-Policy", "same-origin")

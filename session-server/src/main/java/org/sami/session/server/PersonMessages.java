@@ -7,21 +7,20 @@ import java.util.List;
 import org.sami.session.person.Person;
 import org.sami.spn.model.Plan;
 
-/** What a front is told of its own person: that it is let in, that its role is another one now, that it was removed. */
+/** What a front is told of its own person and connection: that it is let in, that the role is another one now, that the person was removed, that the session is still there. */
 final class PersonMessages {
     private PersonMessages() {}
 
     /**
      * Lets a person in.
      *
-     * @param nowMillis the session's time
      * @param robots what the domain calls its robots
      */
-    static ObjectNode welcome(Person person, int version, long nowMillis, String robots, List<Plan> plans) {
+    static ObjectNode welcome(Person person, int version, String robots, List<Plan> plans) {
         ObjectNode welcome = JsonNodeFactory.instance.objectNode();
         welcome.put("t", "welcome").put("v", version).put("name", person.name());
         role(person, welcome);
-        welcome.put("now", nowMillis).put("robots", robots);
+        welcome.put("robots", robots);
         ArrayNode offered = welcome.putArray("plans");
         plans.forEach(plan -> offered.addObject().put("id", plan.id()).put("title", plan.name()));
         return welcome;
@@ -38,6 +37,11 @@ final class PersonMessages {
         message.put("role", person.role().word());
         ArrayNode rights = message.putArray("rights");
         person.role().rights().forEach(right -> rights.add(right.word()));
+    }
+
+    /** The session is still there, at a time of its clock. */
+    static ObjectNode beat(long nowMillis) {
+        return JsonNodeFactory.instance.objectNode().put("t", "beat").put("now", nowMillis);
     }
 
     /** A person was removed. */

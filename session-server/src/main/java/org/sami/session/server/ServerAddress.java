@@ -1,6 +1,9 @@
 package org.sami.session.server;
 
 import java.net.InetAddress;
+import java.security.GeneralSecurityException;
+import java.security.MessageDigest;
+import java.util.HexFormat;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.boat.link.security.Identity;
@@ -22,6 +25,17 @@ public record ServerAddress(InetAddress host, int port, Optional<Identity> ident
         if (identity.isEmpty() && !host.isLoopbackAddress()) {
             throw new IllegalArgumentException(
                     "plain HTTP is for loopback addresses only, not " + host.getHostAddress());
+        }
+    }
+
+    /** The SHA-256 of the certificate of a base's key, as browsers show it. */
+    public static String print(Identity identity) {
+        try {
+            byte[] hash = MessageDigest.getInstance("SHA-256")
+                    .digest(identity.certificate().getEncoded());
+            return HexFormat.ofDelimiter(":").withUpperCase().formatHex(hash);
+        } catch (GeneralSecurityException e) {
+            throw new IllegalStateException("a certificate in use can be written", e);
         }
     }
 

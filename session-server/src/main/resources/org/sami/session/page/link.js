@@ -1,8 +1,10 @@
 // @ts-check
-// The link to the session (docs/session-link.md): login, rows as they change, commands with their replies.
+// The link to the session (docs/session-link.md): login, rows as they change, commands with their replies; to whichever of the session's bases holds it.
+import {Bases} from './bases.js';
 
 const SILENT_MS = 30000;
-const LONGEST_WAIT_MS = 30000;
+const SILENT_BASE_MS = 5000; // of a base that sends something twice a second
+const QUIET_MS = 1500;
 
 export class Link {
   /**
@@ -19,11 +21,14 @@ export class Link {
     this.isOpen = false;
     this.heardAt = 0; // this device's clock
     this.aheadMs = 0; // of the session's clock before this device's
-    this.waitMs = 1000;
+    this.bases = new Bases(location, localStorage);
+    this.beats = false; // the base sends something twice a second
+    this.waits = ''; // what a standby has said
+    this.triedAt = 0;
     this.ids = 0;
     /** @type {Map<number, (reply: any) => void>} */
     this.asked = new Map();
-    window.setInterval(() => this.look(), 1000);
+    window.setInterval(() => this.look(), 500);
   }
 
   /** @param {string} name @param {string} key */
@@ -34,9 +39,9 @@ export class Link {
   }
 
   connect() {
-    const scheme = location.protocol === 'https:' ? 'wss://' : 'ws://';
-    const socket = new WebSocket(scheme + location.host + '/session');
+    const socket = new WebSocket(this.bases.current() + '/session');
     this.socket = socket;
+    this.triedAt = Date.now();
     socket.onopen = () => {
       const hello = {t: 'hello', v: 1, name: this.name};
       socket.send(JSON.stringify(this.key ? {...hello, key: this.key} : hello));
@@ -54,44 +59,74 @@ export class Link {
     };
   }
 
-  lost() {
+  lost(isSilent = false) {
+    const stood = this.isOpen;
     this.socket = undefined;
     this.isOpen = false;
     this.asked.forEach((reply) => reply({t: 'refused', text: 'The link to the session is lost'}));
     this.asked.clear();
     if (this.name !== undefined) {
-      window.setTimeout(() => this.connect(), this.waitMs);
-      this.waitMs = Math.min(LONGEST_WAIT_MS, this.waitMs * 2);
+      window.setTimeout(() => this.connect(), stood ? this.bases.lost(isSilent) : this.bases.next());
     }
     this.listener.changed();
   }
 
   look() {
-    if (this.isOpen && Date.now() - this.heardAt > SILENT_MS) {
-      const old = this.socket;
-      this.lost();
-      old?.close();
+    const now = Date.now();
+    const isSilent = this.isOpen && now - this.heardAt > (this.beats && this.bases.areSeveral() ? SILENT_BASE_MS : SILENT_MS);
+    const answersNot = !this.isOpen && this.socket && this.bases.areSeveral() && now - this.triedAt > SILENT_BASE_MS;
+    if (isSilent || answersNot) {
+      this.turnAway(true);
     } else {
       this.listener.changed();
     }
+  }
+
+  /** Leaves the base at hand and tries again, there or at another. */
+  turnAway(isSilent = false) {
+    const old = this.socket;
+    this.lost(isSilent);
+    old?.close();
+  }
+
+  /** Whether nothing has come for 1.5 s from a base that sends something twice a second. */
+  isQuiet() {
+    return this.isOpen && this.beats && Date.now() - this.heardAt > QUIET_MS;
   }
 
   /** @param {any} message */
   take(message) {
     switch (message.t) {
       case 'welcome':
+        if (!this.bases.holds(message.epoch ?? 0)) { // another base has followed it: nothing that it says is of now
+          this.turnAway();
+          break;
+        }
         this.welcome = message;
         this.isOpen = true;
-        this.waitMs = 1000;
+        this.beats = (message.beat ?? 0) > 0;
+        if (this.bases.hasMoved()) {
+          this.listener.news('At another base of the session now: ' + this.bases.name());
+        }
+        this.waits = '';
         this.aheadMs = message.now - Date.now();
         break;
       case 'rows':
         this.aheadMs = message.now - Date.now();
         this.rows(message);
+        if (message.set?.bases) {
+          this.bases.add(message.set.bases);
+        }
         break;
+      case 'standby':
+        this.waits = this.bases.name() + ', a standby: ' + message.text;
+        this.bases.add(message.bases ?? []);
+        break; // and it closes
       case 'done':
       case 'refused':
-        if (message.id === 0 && !this.isOpen) {
+        if (message.id === 0 && !this.isOpen && this.welcome && this.bases.leaveOut()) {
+          this.listener.news(message.text); // another base does not know this person
+        } else if (message.id === 0 && !this.isOpen) {
           this.leave(message.text);
         } else {
           const reply = this.asked.get(message.id);

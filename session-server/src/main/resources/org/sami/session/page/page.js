@@ -116,11 +116,15 @@ function strip() {
   const fleet = link.all('fleet')[0];
   const age = Date.now() - link.heardAt;
   const robots = link.welcome?.robots ?? 'boat';
-  const state = link.isOpen
+  const seen = link.heardAt > 0 ? 'Last seen ' + new Date(link.heardAt).toLocaleTimeString([], {hour: '2-digit', minute: '2-digit'}) + ', ' + duration(age) + ' ago' : 'Connecting…';
+  const trying = link.bases.areSeveral() ? '; trying ' + link.bases.names().join(', ') : '';
+  const state = link.isQuiet()
+    ? seen + ', by ' + link.bases.name()
+    : link.isOpen
     ? link.all('boats').filter((boat) => boat.link === 'linked').length + ' of ' + (fleet?.boats ?? 0) + ' ' + robots + 's · ' + link.welcome.name + ' (' + link.welcome.role + ')'
-    : link.heardAt > 0 ? 'Last seen ' + new Date(link.heardAt).toLocaleTimeString([], {hour: '2-digit', minute: '2-digit'}) + ', ' + duration(age) + ' ago' : 'Connecting…';
+    : seen + trying + (link.waits ? '; ' + link.waits : '');
   byId('state').textContent = state;
-  byId('strip').classList.toggle('lost', !link.isOpen);
+  byId('strip').classList.toggle('lost', !link.isOpen || link.isQuiet());
   const words = fleet?.stopped ? [fleet.words, fleet.advice].filter(Boolean).join('. ') : '';
   byId('stopped-words').textContent = words;
   byId('stopped').hidden = words === '';

@@ -59,7 +59,11 @@ class BackgroundMapTest {
 
     private SessionServer start(Session session, Optional<TileFile> map) throws Exception {
         return SessionServer.start(
-                session, new PeopleFile(folder.resolve("people")), ServerAddress.onThisMachine(0), map);
+                session,
+                new PeopleFile(folder.resolve("people")),
+                ServerAddress.onThisMachine(0),
+                map,
+                SessionBases.NONE);
     }
 
     private static HttpResponse<byte[]> get(SessionServer server, String path) throws Exception {

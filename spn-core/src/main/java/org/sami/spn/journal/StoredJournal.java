@@ -30,6 +30,11 @@ public interface StoredJournal extends InputJournal {
     /** What was found when it was opened. */
     Recovery recovery();
 
+    /** How many processes have held it up to this one, where a lease says who may write: a base with a lower number was superseded. 0 for a file, which has no lease. */
+    default long epoch() {
+        return 0;
+    }
+
     /** Notes what a simulated world says of itself after the last entry; a second mark there replaces the first. */
     void mark(String text) throws IOException;
 

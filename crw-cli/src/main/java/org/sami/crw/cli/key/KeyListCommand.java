@@ -8,6 +8,7 @@ import org.sami.boat.link.security.Peer;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.proxy.key.BaseKeys;
 import org.sami.mavlink.link.SigningKey;
+import org.sami.session.server.ServerAddress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -17,8 +18,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "list",
         mixinStandardHelpOptions = true,
-        description =
-                "Lists the key of this base, the boats that are paired with it, and the keys that were withdrawn.")
+        description = "Lists the key of this base and the certificate with which it serves sessions, the boats that are"
+                + " paired with it, and the keys that were withdrawn.")
 final class KeyListCommand implements Callable<Integer> {
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
@@ -32,6 +33,8 @@ final class KeyListCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         BaseKeys.Listing list = keys.keys().list();
         out.println(list.own() + "  this base");
+        out.println(
+                ServerAddress.print(keys.keys().open().identity()) + "  its certificate, where it serves a session");
         for (BaseKeys.Known known : list.boats()) {
             Peer boat = known.boat();
             out.println(boat.fingerprint() + "  boat " + boat.name());

@@ -13,6 +13,7 @@ import org.sami.crw.operator.OperatorModels;
 import org.sami.session.client.PersonRights;
 import org.sami.session.client.RemoteListener;
 import org.sami.session.client.RemoteSession;
+import org.sami.session.client.SessionAddress;
 
 /** The console of {@code crw session} on a session in another process. Leaving it leaves the session as it is. */
 final class RemoteConsole implements RemoteListener {
@@ -82,8 +83,8 @@ final class RemoteConsole implements RemoteListener {
     }
 
     @Override
-    public void back() {
-        print("connected again");
+    public void back(SessionAddress base) {
+        print("connected again, at " + base);
     }
 
     @Override

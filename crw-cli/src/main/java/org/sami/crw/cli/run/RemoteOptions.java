@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalTime;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -31,10 +32,11 @@ public final class RemoteOptions {
     @Option(
             names = "--session",
             paramLabel = "ADDRESS",
+            split = ",",
             description =
                     "Take part in a session that 'crw serve' runs elsewhere: wss://HOST:PORT, or ws://HOST:PORT on"
-                            + " this machine.")
-    private @Nullable String address;
+                            + " this machine. Of a session with standbys: one or several of its bases.")
+    private List<String> addresses = new ArrayList<>();
 
     @Option(
             names = "--person",
@@ -57,7 +59,7 @@ public final class RemoteOptions {
 
     /** Whether a session elsewhere is asked for. */
     public boolean isGiven() {
-        return address != null;
+        return !addresses.isEmpty();
     }
 
     /**
@@ -96,9 +98,9 @@ public final class RemoteOptions {
      * @throws IOException in words, if it cannot be taken part in
      */
     public RemoteSession open(Executor front, RemoteListener listener) throws IOException, InterruptedException {
-        SessionAddress where;
+        List<SessionAddress> where;
         try {
-            where = SessionAddress.parse(Optional.ofNullable(address).orElse(""));
+            where = addresses.stream().map(SessionAddress::parse).toList();
         } catch (IllegalArgumentException unfit) {
             throw new UsageFault("--session: " + unfit.getMessage());
         }

@@ -7,6 +7,8 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -33,7 +35,9 @@ import org.sami.pair.postgres.StandbyPresence;
 import org.sami.session.map.TileFile;
 import org.sami.session.person.People;
 import org.sami.session.server.ServerAddress;
+import org.sami.session.server.SessionBases;
 import org.sami.session.server.SessionServer;
+import org.sami.session.server.StandbyServer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -109,6 +113,15 @@ public final class ServeCommand implements Callable<Integer> {
                     + " once that base's lease is over.")
     private boolean standby;
 
+    @Option(
+            names = "--bases",
+            paramLabel = "ADDRESS",
+            split = ",",
+            description = "All bases of the session, this one too, as fronts reach them, with the SHA-256 that each"
+                    + " prints: wss://HOST:PORT=SHA-256, or ws://HOST:PORT on this machine. Fronts that lose one go to"
+                    + " the next.")
+    private List<String> bases = new ArrayList<>();
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         if (script != null && !Files.isReadable(script)) {
@@ -125,19 +138,35 @@ public final class ServeCommand implements Callable<Integer> {
                     "--script is carried out by the base that begins the session, not by one that stands by");
         }
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            SessionOptions.Use use = (session, begin) -> run(session, begin, paired, stop);
-            return waits ? takeOver(paired, use) : options.open(false, use);
+            if (waits) {
+                return takeOver(paired, stop);
+            }
+            return options.open(false, (session, begin) -> run(session, begin, address(), paired, stop));
         }
     }
 
-    private int takeOver(Optional<PairedBase> paired, SessionOptions.Use use) throws IOException, InterruptedException {
+    private int takeOver(Optional<PairedBase> paired, StopOnInterrupt stop) throws IOException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
+        ServerAddress here = address();
+        SessionBases named = named();
         Optional<StandbyPresence> presence = paired.map(PairedBase::standBy);
-        try {
-            return options.takeOver(line -> print(out, "standby: " + line), (session, begin) -> {
-                presence.ifPresent(StandbyPresence::close);
-                return use.run(session, begin);
-            });
+        try (OpenedMap background = OpenedMap.of(Optional.ofNullable(map));
+                StandbyServer waiting =
+                        UsageFault.of(() -> StandbyServer.start(people.people(), here, background.tiles(), named))) {
+            print(out, "standby: it answers at " + waiting.url() + ", and serves the session there once it holds it");
+            waiting.certificate().ifPresent(print -> print(out, "its certificate has the SHA-256 " + print));
+            ServerAddress there =
+                    new ServerAddress(here.host(), waiting.listensAt().getPort(), here.identity());
+            return options.takeOver(
+                    line -> {
+                        waiting.say(line);
+                        print(out, "standby: " + line);
+                    },
+                    (session, begin) -> {
+                        presence.ifPresent(StandbyPresence::close);
+                        waiting.close();
+                        return run(session, begin, there, paired, stop);
+                    });
         } catch (InterruptedIOException ended) {
             Thread.interrupted(); // by Ctrl-C, while it waited: nothing was begun
             presence.ifPresent(StandbyPresence::leave);
@@ -145,10 +174,16 @@ public final class ServeCommand implements Callable<Integer> {
         }
     }
 
-    private int run(Session session, SessionOptions.Begin begin, Optional<PairedBase> paired, StopOnInterrupt stop)
+    private int run(
+            Session session,
+            SessionOptions.Begin begin,
+            ServerAddress at,
+            Optional<PairedBase> paired,
+            StopOnInterrupt stop)
             throws IOException {
         PrintWriter out = spec.commandLine().getOut();
         People who = people.people();
+        SessionBases named = named();
         CountDownLatch broken = new CountDownLatch(1);
         AtomicBoolean replaced = new AtomicBoolean();
         Runnable onReplaced = () -> {
@@ -158,7 +193,7 @@ public final class ServeCommand implements Callable<Integer> {
         try (OpenedMonitor monitor = OpenedMonitor.of(paired, session, line -> print(out, line), onReplaced);
                 OpenedMap background = OpenedMap.of(Optional.ofNullable(map));
                 SessionServer server =
-                        UsageFault.of(() -> SessionServer.start(session, who, address(), background.tiles()))) {
+                        UsageFault.of(() -> SessionServer.start(session, who, at, background.tiles(), named))) {
             session.addListener(new SessionListener() {
                 @Override
                 public void onBroken(String reason) {
@@ -228,6 +263,14 @@ public final class ServeCommand implements Callable<Integer> {
             }
         } catch (InterruptedException ended) {
             Thread.interrupted(); // by Ctrl-C: boats are left in order
+        }
+    }
+
+    private SessionBases named() {
+        try {
+            return SessionBases.parse(bases);
+        } catch (IllegalArgumentException unfit) {
+            throw new UsageFault("--bases: " + unfit.getMessage());
         }
     }
 

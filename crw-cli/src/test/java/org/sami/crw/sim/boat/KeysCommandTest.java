@@ -27,7 +27,9 @@ import org.sami.boat.link.security.PairingSecret;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.cli.CommandResult;
+import org.sami.crw.proxy.key.BaseKeys;
 import org.sami.crw.proxy.tcp.BaseProtection;
+import org.sami.session.server.ServerAddress;
 
 /** {@code crw keys} at a boat with keys: who is paired commands it, who was withdrawn does not. */
 @Tag("long")
@@ -100,6 +102,15 @@ class KeysCommandTest {
                 .contains("4 tries");
         assertThat(CommandResult.crw(with("mine", "keys", "list")).out()).doesNotContain("boat anna");
         assertThat(keys.peers()).isEmpty();
+    }
+
+    @Test
+    void listHasTheCertificateWithWhichTheBaseServesSessions() throws IOException {
+        String listed = CommandResult.crw(with("mine", "keys", "list")).out();
+
+        String print =
+                ServerAddress.print(new BaseKeys(folder.resolve("mine")).open().identity());
+        assertThat(listed).contains(print + "  its certificate, where it serves a session");
     }
 
     @Test

@@ -1,12 +1,14 @@
 package org.sami.crw.gui.remote;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.palette.SemanticColor;
 import org.sami.session.client.PersonRights;
 import org.sami.session.client.RemoteListener;
+import org.sami.session.client.SessionAddress;
 import org.sami.ui.EventThread;
 import org.sami.ui.look.LookColors;
 import org.sami.ui.window.Notices;
@@ -17,10 +19,12 @@ import org.sami.ui.window.Notices;
  */
 public final class ConnectionBand extends JPanel implements RemoteListener {
     private final JLabel words = new JLabel();
-    private String whose = "";
+    private String person = "";
+    private String base = "";
     private Optional<String> trouble = Optional.empty();
     private Optional<Notices> notices = Optional.empty();
     private Runnable otherRights = () -> {};
+    private Consumer<String> otherBase = address -> {};
 
     /** A band that says nothing yet. */
     public ConnectionBand() {
@@ -35,10 +39,13 @@ public final class ConnectionBand extends JPanel implements RemoteListener {
      * Says from now on whose session it is.
      *
      * @param onOtherRights is run on the event thread when the person's role is another one
+     * @param onOtherBase is given there the address of another base that holds the session now
      */
-    void of(String address, String person, Notices of, Runnable onOtherRights) {
+    void of(String address, String who, Notices of, Runnable onOtherRights, Consumer<String> onOtherBase) {
         otherRights = onOtherRights;
-        whose = "Session at " + address + ", as " + person;
+        otherBase = onOtherBase;
+        base = address;
+        person = who;
         notices = Optional.of(of);
         showNow();
     }
@@ -46,6 +53,7 @@ public final class ConnectionBand extends JPanel implements RemoteListener {
     private void showNow() {
         LookColors.background(this, trouble.isPresent() ? SemanticColor.WARNING_FILL : SemanticColor.SURFACE_RAISED);
         LookColors.foreground(words, trouble.isPresent() ? SemanticColor.ON_WARNING : SemanticColor.MUTED);
+        String whose = base.isEmpty() ? "" : "Session at " + base + ", as " + person;
         words.setText(whose + trouble.map(text -> ": ▲ " + text).orElse(""));
         words.setToolTipText(words.getText());
         getAccessibleContext().setAccessibleName(words.getText());
@@ -65,9 +73,18 @@ public final class ConnectionBand extends JPanel implements RemoteListener {
     }
 
     @Override
-    public void back() {
-        set(Optional.empty());
-        news("Connected again: what is shown is of now");
+    public void back(SessionAddress at) {
+        EventThread.later(() -> {
+            boolean other = !base.isEmpty() && !at.toString().equals(base);
+            trouble = Optional.empty();
+            if (other) {
+                base = at.toString();
+                otherBase.accept(base);
+            }
+            showNow();
+            String where = other ? ", at another base, " + at : "";
+            notices.ifPresent(one -> one.show("Connected again" + where + ": what is shown is of now"));
+        });
     }
 
     @Override

@@ -77,7 +77,7 @@ public final class RemoteWindow {
                 new BoatSelection(),
                 new Notices(robots::say));
         CommandRegistry commands = context.commands();
-        band.of(session.address().toString(), session.person(), context.notices(), commands::askPolicy);
+        band.of(session.address().toString(), session.person(), context.notices(), commands::askPolicy, this::title);
         commands.add(ConnectSheet.command(context, frame.getRootPane()));
         FleetStopCommands fleetStop = new FleetStopCommands(context);
         panels = new OperatorPanels(context, settings, new LoadedProject(Optional.empty()));
@@ -99,7 +99,7 @@ public final class RemoteWindow {
                 commands.get("panel-decisions"),
                 panels::decisionUnseen);
         frame.setName("remote-window");
-        frame.setTitle("SAMI operator – " + session.address() + " – " + session.person());
+        title(session.address().toString());
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.setJMenuBar(new WindowMenus(commands, panels.all(), robots).bar());
         JPanel top = new JPanel(new BorderLayout());
@@ -123,6 +123,10 @@ public final class RemoteWindow {
                 end();
             }
         });
+    }
+
+    private void title(String base) {
+        frame.setTitle("SAMI operator – " + base + " – " + session.person());
     }
 
     /** Shows it, as large as the screen allows. */

@@ -193,6 +193,11 @@ public final class SessionJournal implements Closeable {
         return stored;
     }
 
+    /** How many bases have held it up to this one; 0 where it is in no database. */
+    public long epoch() {
+        return stored.map(StoredJournal::epoch).orElse(0L);
+    }
+
     /** Its file; empty where it is in a database, or nobody reads it again. */
     public Optional<Path> file() {
         return stored.flatMap(StoredJournal::inFile);

@@ -1,0 +1,76 @@
+package org.sami.crw.sim.tcp;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+
+/** An address on loopback that is known before the process behind it has one. While nothing listens there, a connection is closed at once. */
+final class Doorway implements Closeable {
+    private final ServerSocket listening = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+    private volatile int behind;
+
+    Doorway() throws IOException {
+        start(this::accept);
+    }
+
+    private static void start(Runnable work) {
+        Thread one = new Thread(work, "doorway");
+        one.setDaemon(true);
+        one.start();
+    }
+
+    /** Leads from now on to a port. */
+    void leadTo(int port) {
+        behind = port;
+    }
+
+    /** The address of a session there. */
+    String address() {
+        return "ws://127.0.0.1:" + listening.getLocalPort();
+    }
+
+    private void accept() {
+        try {
+            while (true) {
+                Socket from = listening.accept();
+                start(() -> lead(from));
+            }
+        } catch (IOException closed) {
+            // the test is over
+        }
+    }
+
+    private void lead(Socket from) {
+        try (from;
+                Socket to = new Socket(InetAddress.getLoopbackAddress(), behind)) {
+            start(() -> pump(to, from));
+            pump(from, to);
+        } catch (IOException nobody) {
+            // the front sees that its connection is closed
+        }
+    }
+
+    private static void pump(Socket from, Socket to) {
+        byte[] buffer = new byte[8192];
+        try (from;
+                to;
+                InputStream in = from.getInputStream();
+                OutputStream out = to.getOutputStream()) {
+            for (int read = in.read(buffer); read >= 0; read = in.read(buffer)) {
+                out.write(buffer, 0, read);
+                out.flush();
+            }
+        } catch (IOException cut) {
+            // both ends notice it
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        listening.close();
+    }
+}

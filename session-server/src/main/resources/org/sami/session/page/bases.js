@@ -1,0 +1,111 @@
+// @ts-check
+// The bases at which the session may be: one holds it, the others are its standbys.
+
+const FIRST_WAIT_MS = 1000;
+const LONGEST_WAIT_MS = 30000;
+const FIRST_WAIT_OF_SEVERAL_MS = 500; // a round costs little, and one of them takes over within seconds
+const LONGEST_WAIT_OF_SEVERAL_MS = 1000;
+const KEPT = 'bases';
+
+export class Bases {
+  /**
+   * The base that served this page, and those that it named before.
+   *
+   * @param {{protocol: string, host: string}} place
+   * @param {{getItem: (name: string) => string | null, setItem: (name: string, text: string) => void}} kept
+   */
+  constructor(place, kept) {
+    this.kept = kept;
+    const own = (place.protocol === 'https:' ? 'wss://' : 'ws://') + place.host;
+    /** @type {string[]} */
+    this.all = [own];
+    this.at = 0;
+    this.held = own; // by this one, as far as is known here
+    this.epoch = 0;
+    this.rounds = 0;
+    this.tried = 0; // in this round
+    this.take(JSON.parse(kept.getItem(KEPT) ?? '[]'));
+  }
+
+  /** @param {string[]} addresses */
+  take(addresses) {
+    this.all.push(...addresses.filter((one) => !this.all.includes(one)));
+  }
+
+  /** Takes up the rows of bases, and keeps them for a page that is opened without a base. @param {{id: string}[]} rows */
+  add(rows) {
+    this.take(rows.map((row) => row.id));
+    this.kept.setItem(KEPT, JSON.stringify(this.all));
+  }
+
+  current() {
+    return this.all[this.at];
+  }
+
+  /** Host and port of the base at hand. */
+  name() {
+    return this.current().replace(/^wss?:[/][/]/, '');
+  }
+
+  /** Host and port of all. */
+  names() {
+    return this.all.map((one) => one.replace(/^wss?:[/][/]/, ''));
+  }
+
+  areSeveral() {
+    return this.all.length > 1;
+  }
+
+  /** A connection that stood is lost. Gives how many milliseconds to wait. @param {boolean} isSilent so that the next base is tried first; else the same one */
+  lost(isSilent) {
+    this.begin();
+    this.at = isSilent ? (this.at + 1) % this.all.length : this.at;
+    return this.areSeveral() ? 0 : FIRST_WAIT_MS;
+  }
+
+  begin() {
+    this.rounds = 0;
+    this.tried = 0;
+  }
+
+  /** Turns to the next base. Gives how many milliseconds to wait: longer and longer, each time that all were tried. */
+  next() {
+    this.at = (this.at + 1) % this.all.length;
+    this.tried += 1;
+    if (this.tried < this.all.length) {
+      return 0;
+    }
+    this.tried = 0;
+    const first = this.areSeveral() ? FIRST_WAIT_OF_SEVERAL_MS : FIRST_WAIT_MS;
+    const wait = Math.min(this.areSeveral() ? LONGEST_WAIT_OF_SEVERAL_MS : LONGEST_WAIT_MS, first * 2 ** this.rounds);
+    this.rounds += 1;
+    return wait;
+  }
+
+  /** The base at hand says that it holds the session; false where another has followed it, whatever it says. @param {number} epoch */
+  holds(epoch) {
+    if (epoch < this.epoch) {
+      return false;
+    }
+    this.epoch = epoch;
+    this.begin();
+    return true;
+  }
+
+  /** Whether the base at hand, which holds the session, is another one than before. */
+  hasMoved() {
+    const moved = this.held !== this.current();
+    this.held = this.current();
+    return moved;
+  }
+
+  /** Never tries the base at hand again; false where there is no other. */
+  leaveOut() {
+    if (!this.areSeveral()) {
+      return false;
+    }
+    this.all.splice(this.at, 1);
+    this.at = (this.at + this.all.length - 1) % this.all.length; // the next is tried next
+    return true;
+  }
+}
