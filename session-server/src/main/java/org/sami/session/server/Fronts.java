@@ -62,7 +62,7 @@ final class Fronts implements AutoCloseable {
         this.robots = robots;
         this.nanos = nanos;
         PeopleNews news = new PeopleNews(session, this::sendToAll);
-        rows = new SessionRows(session.models(), session.setup().vocabulary().types());
+        rows = new SessionRows(session, this::execute);
         hand = new HandDriving(session, news);
         feed = new JournalFeed(session);
         following = new Following(session, feed, this::execute);
@@ -76,6 +76,7 @@ final class Fronts implements AutoCloseable {
      */
     void start() throws IOException {
         feed.start();
+        rows.start();
         session.execute(() -> session.addOperator(settled));
         var unused = thread.scheduleAtFixedRate(() -> guarded(this::tick), TICK_MS, TICK_MS, TimeUnit.MILLISECONDS);
     }
@@ -301,6 +302,7 @@ final class Fronts implements AutoCloseable {
     public void close() {
         execute(() -> List.copyOf(open).forEach(front -> front.end(StatusCode.SHUTDOWN, "the session ends")));
         feed.close();
+        rows.close();
         thread.shutdown();
         try {
             if (!thread.awaitTermination(2, TimeUnit.SECONDS)) {

@@ -2,6 +2,7 @@
 // The lists of the session: decisions, boats, missions with their interrupts, messages and alarms.
 import {Chart} from './chart.js';
 import {duration, element, hold} from './dom.js';
+import {phases} from './phases.js';
 
 /** @typedef {import('./link.js').Link} Link */
 /** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null, calls: (decision: any) => boolean, byHand: (boat: any) => HTMLElement | null, noteAt: (text: string) => void, refresh: () => void}} Actions */
@@ -47,6 +48,7 @@ export function missions(link, actions) {
     nodes.push(element('section', {class: 'mission'},
       element('h2', {}, mission.name),
       element('p', {}, 'For ' + duration(link.now() - mission.since) + (mission.stuck ? '. ' + mission.stuck : '')),
+      phases(link.row('phases', mission.id), actions.refresh),
       ...buttons.map((one) => interrupt(link, actions, one)),
       link.may('start') ? abort(actions, mission) : null));
   }
