@@ -25,6 +25,7 @@ public final class SessionRows implements AutoCloseable {
     private final OperatorModels models;
     private final DecisionRows decisions;
     private final MissionPhases phases;
+    private final ReadingRows readings = new ReadingRows();
     private final Map<String, Table> tables = new LinkedHashMap<>();
     private final Map<String, List<Object>> madeOf = new LinkedHashMap<>();
     private long boatsAtMillis = Long.MIN_VALUE / 2;
@@ -67,6 +68,7 @@ public final class SessionRows implements AutoCloseable {
             put(BoatRows.boats(boats, models.unreached().snapshot(), alarms, drivers));
             put(BoatRows.paths(map));
         }
+        readings.look(models.map()::readings, nowMillis).ifPresent(this::put);
         remake(
                 "settings",
                 List.of(boats.stream().map(BoatSnapshot::settings).toList()),

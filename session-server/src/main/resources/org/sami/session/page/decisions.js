@@ -58,6 +58,12 @@ export class DecisionForm {
     }
   }
 
+  /** The layer of readings that it asks for. @returns {{sensor: string, visualization: string} | null} */
+  layer() {
+    const d = this.decision;
+    return d.information ?? (d.show?.data ? {sensor: '', visualization: 'heatmap'} : null);
+  }
+
   /** @param {any} boat */
   static stateOf(boat) {
     return [boat.id, boat.battery === undefined ? null : Math.round(boat.battery) + ' %', boat.speed === undefined ? null : boat.speed.toFixed(1) + ' m/s', boat.link, boat.why].filter(Boolean).join(' · ');

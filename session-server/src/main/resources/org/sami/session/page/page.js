@@ -7,6 +7,7 @@ import {Drawing} from './drawing.js';
 import {byId, duration, element, hold, isPressed} from './dom.js';
 import {Link} from './link.js';
 import * as panels from './panels.js';
+import {Readings} from './readings.js';
 
 const THEMES = ['light', 'dark', 'sun'];
 const TABS = /** @type {const} */ (['decisions', 'boats', 'missions', 'messages', 'alarms']);
@@ -24,6 +25,8 @@ const forms = new Map();
 let driving = null;
 /** @type {Chart | null} */
 let chart = null;
+/** @type {Readings | null} */
+let readings = null;
 let tabbed = ''; // what the tabs were made of
 let shown = ''; // what the panel was made of
 
@@ -108,6 +111,7 @@ function join() {
     actions.select(boat);
   });
   driving ??= new Driving(link, chart, {command: actions.command, resized: () => chart?.resized()});
+  readings ??= new Readings(link, chart);
   chart.resized();
   link.join(sessionStorage.getItem('name') ?? '', sessionStorage.getItem('key') ?? '');
 }
@@ -205,6 +209,7 @@ function refresh(always = false) {
   strip();
   followDecisions();
   chart.show(link, selected);
+  readings?.show(form?.layer() ?? null);
   const chosen = selected === null ? null : link.row('boats', selected);
   if (chosen && !isPressed()) {
     driving?.node(chosen); // also while the focus is in the list, which is not made again then

@@ -3,6 +3,7 @@
 import {Chart} from './chart.js';
 import {duration, element, hold} from './dom.js';
 import {phases} from './phases.js';
+import {readingsOf} from './readings.js';
 
 /** @typedef {import('./link.js').Link} Link */
 /** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null, calls: (decision: any) => boolean, byHand: (boat: any) => HTMLElement | null, noteAt: (text: string) => void, refresh: () => void}} Actions */
@@ -32,7 +33,8 @@ export function boats(link, actions) {
     const node = element('button', {class: 'row' + (boat.alarm ? ' ' + boat.alarm : standing) + (boat.id === actions.selected() ? ' selected' : ''), onclick: () => actions.select(boat.id)},
       element('strong', {}, mark, boat.id), element('span', {class: boat.batteryLevel ?? ''}, figures), element('small', {}, boat.why ?? ''));
     const byHand = boat.id === actions.selected() ? actions.byHand(boat) : null;
-    return byHand ? [node, byHand] : [node];
+    const readings = boat.id === actions.selected() ? readingsOf(link, boat.id) : null;
+    return [node, readings, byHand].filter((one) => one !== null);
   });
 }
 

@@ -141,6 +141,31 @@ class SessionPageTest {
         }
     }
 
+    @Test
+    void readingsOfABoatAreListedAndDrawnOnTheMap() throws Exception {
+        try (MeasuringBoat boat = new MeasuringBoat()) {
+            boat.join(session);
+            page.join();
+            browser.until("document.querySelectorAll('#layer option').length === 3");
+            browser.click("#tabs button:nth-child(2)");
+            browser.until("document.querySelector('#panel button.row') !== null");
+            browser.click("#panel button.row");
+            browser.until("document.querySelector('.readings')?.textContent.includes('°C')");
+            assertThat(browser.value("document.querySelector('.readings').textContent")
+                            .asText())
+                    .contains("Temperature", "Oxygen", "mg/L", " s ago");
+
+            browser.value("document.getElementById('layer').selectedIndex = 2");
+            browser.value("document.getElementById('layer').dispatchEvent(new Event('change'))");
+
+            browser.until("document.querySelector('img.field-image') !== null");
+            assertThat(browser.value("document.getElementById('legend').textContent")
+                            .asText())
+                    .startsWith("Temperature")
+                    .endsWith(" °C");
+        }
+    }
+
     private double speedMps() {
         return session.models().fleet().snapshot().stream()
                 .mapToDouble(boat -> boat.speedMps().orElse(0))
