@@ -19,6 +19,7 @@ import org.sami.spn.json.UnreadableJsonException;
 
 /** Keeps the copy of a session up with what its server sends, over connections that may be lost. On the link's thread; {@link #request} and {@link #shown} from any. */
 final class SessionFollower implements LinkListener {
+    private static final System.Logger LOG = System.getLogger(SessionFollower.class.getName());
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
 
     private final SessionAddress address;
@@ -31,6 +32,7 @@ final class SessionFollower implements LinkListener {
     private final CompletableFuture<SessionCopy> first = new CompletableFuture<>();
     private final CompletableFuture<SessionCopy> shown = new CompletableFuture<>(); // with the rows of its boats
     private final SessionLink link;
+    private final RemotePictures pictures;
     private Optional<LocalTime> seen = Optional.empty();
     private boolean away;
     private volatile PersonRights rights = new PersonRights("", Set.of());
@@ -58,6 +60,7 @@ final class SessionFollower implements LinkListener {
         this.wallClock = wallClock;
         this.disconnected = disconnected;
         link = new SessionLink(address, login, trust, this, thread);
+        pictures = new RemotePictures(address, trust, thread);
     }
 
     /** Connects, and keeps at it. */
@@ -78,6 +81,11 @@ final class SessionFollower implements LinkListener {
     /** Leaves the session. */
     void close() {
         link.close();
+        try {
+            pictures.close();
+        } catch (IOException left) {
+            LOG.log(System.Logger.Level.WARNING, "the pictures of the session are left in a temporary folder", left);
+        }
     }
 
     /** What the person may do, as its server said last. From any thread. */
@@ -88,6 +96,7 @@ final class SessionFollower implements LinkListener {
     @Override
     public void welcomed(JsonNode message) {
         take(PersonRights.of(message), copy().isPresent());
+        pictures.ticket(message.path("ticket").asText());
         ObjectNode follow = ServerRequests.message("follow");
         copy().filter(known -> !known.id().isEmpty())
                 .ifPresent(known -> follow.put("session", known.id()).put("after", known.reached()));
@@ -170,7 +179,7 @@ final class SessionFollower implements LinkListener {
         }
         SessionCopy copy = known.isPresent()
                 ? known.get()
-                : new SessionCopy(message, address.toString(), front, computing, acknowledgements());
+                : new SessionCopy(message, address.toString(), front, computing, acknowledgements(), pictures);
         copy.begin(message);
         first.complete(copy);
     }

@@ -24,7 +24,8 @@ final class DecisionMarkups {
             Table.Builder.ids(show, "boats", boats.boats());
             show.put("paths", boats.showPath())
                     .put("state", boats.showDiagnostic())
-                    .put("data", boats.showData());
+                    .put("data", boats.showData())
+                    .put("pictures", boats.showPictures());
         });
         map.area().ifPresent(area -> area(row, area));
         map.information()

@@ -79,6 +79,10 @@ public final class SessionRows implements AutoCloseable {
                 () -> SituationRows.missions(models.missions().snapshot()));
         put(phases.table());
         remake(
+                "pictures",
+                List.of(models.pictures().snapshot()),
+                () -> PictureTable.of(models.pictures().snapshot()));
+        remake(
                 "stuck",
                 List.of(models.missions().snapshot()),
                 () -> SituationRows.stuck(models.missions().snapshot()));

@@ -17,7 +17,7 @@ import org.sami.spn.journal.JournalHeader;
 final class Following {
     /** Tables of which such a front makes its own. */
     private static final Set<String> FOLLOWED =
-            Set.of("missions", "decisions", "buttons", "areas", "paths", "phases", "readings");
+            Set.of("missions", "decisions", "buttons", "areas", "paths", "phases", "readings", "pictures");
 
     private final Session session;
     private final JournalFeed feed;

@@ -39,6 +39,7 @@ final class Fronts implements AutoCloseable {
     private final Session session;
     private final People people;
     private final RobotKind robots;
+    private final Tickets tickets;
     private final LongSupplier nanos;
     private final SettledDecisions settled = new SettledDecisions();
     private final Set<Front> open = new LinkedHashSet<>();
@@ -56,10 +57,11 @@ final class Fronts implements AutoCloseable {
     private long ticks;
 
     /** Fronts of a session; none is connected. */
-    Fronts(Session session, People people, RobotKind robots, LongSupplier nanos) {
+    Fronts(Session session, People people, RobotKind robots, Tickets tickets, LongSupplier nanos) {
         this.session = session;
         this.people = people;
         this.robots = robots;
+        this.tickets = tickets;
         this.nanos = nanos;
         PeopleNews news = new PeopleNews(session, this::sendToAll);
         rows = new SessionRows(session, this::execute);
@@ -137,6 +139,7 @@ final class Fronts implements AutoCloseable {
 
     private void closed(Front front) {
         execute(() -> {
+            tickets.revoke(front);
             if (open.remove(front)) {
                 following.left(front);
                 hand.left(front);
@@ -231,8 +234,12 @@ final class Fronts implements AutoCloseable {
     private void welcome(Front front, Person person) {
         session.ask(view -> List.copyOf(view.project().plans()))
                 .thenAccept(plans -> execute(() -> {
+                    if (front.hasEnded()) {
+                        return;
+                    }
                     front.send(PersonMessages.welcome(
                                     person, VERSION, session.scheduler().nowMs(), robots.word(), plans)
+                            .put("ticket", tickets.issue(front))
                             .toString());
                     front.login(person);
                 }));

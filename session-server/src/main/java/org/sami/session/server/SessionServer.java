@@ -46,6 +46,7 @@ public final class SessionServer implements AutoCloseable {
     private final ServerAddress address;
     private final People people;
     private final Fronts fronts;
+    private final PictureHandler pictures;
     private final Server server;
     private final ServerConnector connector;
 
@@ -57,8 +58,11 @@ public final class SessionServer implements AutoCloseable {
         }
         this.address = address;
         this.people = people;
+        Tickets tickets = new Tickets();
         fronts = new Fronts(
-                session, people, HandlerModules.robotsOf(session.setup().vocabulary()), System::nanoTime);
+                session, people, HandlerModules.robotsOf(session.setup().vocabulary()), tickets, System::nanoTime);
+        pictures = new PictureHandler(
+                session.models().pictures()::snapshot, tickets, new TileHandler(map, new PageHandler()));
         QueuedThreadPool threads = new QueuedThreadPool(MOST_THREADS);
         threads.setName("session server");
         threads.setDaemon(true);
@@ -66,7 +70,7 @@ public final class SessionServer implements AutoCloseable {
         connector = connector(server, address);
         server.addConnector(connector);
         WebSocketUpgradeHandler sockets = WebSocketUpgradeHandler.from(server, this::configure);
-        sockets.setHandler(new TileHandler(map, new PageHandler()));
+        sockets.setHandler(pictures);
         server.setHandler(sockets);
     }
 
@@ -201,6 +205,7 @@ public final class SessionServer implements AutoCloseable {
     @Override
     public void close() {
         fronts.close();
+        pictures.close();
         stopServer();
     }
 

@@ -7,6 +7,7 @@ import {Drawing} from './drawing.js';
 import {byId, duration, element, hold, isPressed} from './dom.js';
 import {Link} from './link.js';
 import * as panels from './panels.js';
+import {Pictures} from './pictures.js';
 import {Readings} from './readings.js';
 
 const THEMES = ['light', 'dark', 'sun'];
@@ -32,11 +33,13 @@ let shown = ''; // what the panel was made of
 
 const link = new Link({changed: () => refresh(), refused: (why) => showLogin(why), news: (text) => say(text, false)});
 
+const pictures = new Pictures(link, () => refresh());
+
 const actions = {
   /** @param {any} decision */
   open: (decision) => {
     back();
-    form = forms.get(decision.id) ?? new DecisionForm(decision, link, /** @type {Chart} */ (chart), {say, back: () => {
+    form = forms.get(decision.id) ?? new DecisionForm(decision, link, /** @type {Chart} */ (chart), pictures, {say, back: () => {
       back();
       refresh(true);
     }, resized: () => chart?.resized()});
@@ -61,6 +64,8 @@ const actions = {
   refresh: () => refresh(true),
   /** @param {any} boat */
   byHand: (boat) => driving?.node(boat) ?? null,
+  /** The newest pictures of a boat. @param {string} boat */
+  pictures: (boat) => pictures.strip(pictures.of(boat)),
   /** A note at a place that is touched. @param {string} text */
   noteAt: (text) => {
     const points = /** @type {any[]} */ ([]);

@@ -6,7 +6,7 @@ import {phases} from './phases.js';
 import {readingsOf} from './readings.js';
 
 /** @typedef {import('./link.js').Link} Link */
-/** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null, calls: (decision: any) => boolean, byHand: (boat: any) => HTMLElement | null, noteAt: (text: string) => void, refresh: () => void}} Actions */
+/** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null, calls: (decision: any) => boolean, byHand: (boat: any) => HTMLElement | null, pictures: (boat: string) => HTMLElement | null, noteAt: (text: string) => void, refresh: () => void}} Actions */
 
 /** @param {Link} link @param {Actions} actions */
 export function decisions(link, actions) {
@@ -34,7 +34,8 @@ export function boats(link, actions) {
       element('strong', {}, mark, boat.id), element('span', {class: boat.batteryLevel ?? ''}, figures), element('small', {}, boat.why ?? ''));
     const byHand = boat.id === actions.selected() ? actions.byHand(boat) : null;
     const readings = boat.id === actions.selected() ? readingsOf(link, boat.id) : null;
-    return [node, readings, byHand].filter((one) => one !== null);
+    const pictures = boat.id === actions.selected() ? actions.pictures(boat.id) : null;
+    return [node, pictures, readings, byHand].filter((one) => one !== null);
   });
 }
 

@@ -166,6 +166,35 @@ class SessionPageTest {
         }
     }
 
+    @Test
+    void picturesOfABoatAreShownAndStoredNowhere() throws Exception {
+        try (MeasuringBoat boat = new MeasuringBoat()) {
+            boat.join(session);
+            TakenPanorama.give(session, folder);
+            page.join();
+            browser.value("navigator.serviceWorker.ready.then(() => location.reload())");
+            browser.until("navigator.serviceWorker.controller !== null"
+                    + " && document.getElementById('state')?.textContent.includes('anna (operator)')");
+            browser.click("#tabs button:nth-child(2)");
+            browser.until("document.querySelector('#panel button.row') !== null");
+            browser.click("#panel button.row");
+            browser.until("document.querySelector('.thumb img')?.naturalWidth === 320");
+            browser.click(".thumb");
+            browser.until("document.querySelector('#viewer img')?.naturalWidth === 1600");
+
+            assertThat(browser.value("document.querySelector('#viewer').textContent")
+                            .asText())
+                    .contains("bella · 1 of 2");
+            browser.value(
+                    "caches.match('picture', {ignoreSearch: true}).then((found) => (window.found = String(found)))");
+            browser.until("window.found !== undefined");
+            assertThat(browser.value("window.found").asText()).isEqualTo("undefined");
+
+            browser.click("#viewer button[aria-label=Close]");
+            browser.until("document.getElementById('viewer').hidden");
+        }
+    }
+
     private double speedMps() {
         return session.models().fleet().snapshot().stream()
                 .mapToDouble(boat -> boat.speedMps().orElse(0))
