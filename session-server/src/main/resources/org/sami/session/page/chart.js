@@ -227,7 +227,7 @@ export class Chart {
     this.drawing.clearLayers();
     if (shape) {
       this.put(this.drawing, shape, {color: '#d500f9', weight: 4, fillOpacity: 0.2});
-      Chart.points(shape).forEach((point) => L.circleMarker(point, {radius: 6, color: '#d500f9', interactive: false}).addTo(this.drawing));
+      Chart.points(shape).slice(0, 500).forEach((point) => L.circleMarker(point, {radius: 6, color: '#d500f9', interactive: false}).addTo(this.drawing));
     }
   }
 }

@@ -1,5 +1,5 @@
 // Keeps the page's own files, so that it opens and says "last seen" where the base cannot be reached.
-const FILES = ['./', 'page.js', 'page.css', 'dom.js', 'link.js', 'chart.js', 'decisions.js', 'drawing.js', 'driving.js', 'field.js', 'fields.js', 'panels.js', 'phases.js', 'pictures.js', 'readings.js', 'icon.svg', 'manifest.webmanifest', 'leaflet/leaflet-src.esm.js', 'leaflet/leaflet.css'];
+const FILES = ['./', 'page.js', 'page.css', 'dom.js', 'link.js', 'chart.js', 'decisions.js', 'drawing.js', 'driving.js', 'field.js', 'fields.js', 'handles.js', 'panels.js', 'phases.js', 'pictures.js', 'readings.js', 'icon.svg', 'manifest.webmanifest', 'leaflet/leaflet-src.esm.js', 'leaflet/leaflet.css'];
 const CACHE = 'sami-session-3';
 
 self.addEventListener('install', (event) => event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES))));

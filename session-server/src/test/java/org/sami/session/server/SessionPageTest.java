@@ -195,6 +195,33 @@ class SessionPageTest {
         }
     }
 
+    @Test
+    void pointThatIsDrawnIsDraggedToAnotherPlaceBeforeItIsConfirmed() throws Exception {
+        page.join();
+        page.start("station-keep");
+        browser.click("#panel button.row");
+        browser.click(".decision .draw button");
+        double[] middle = browser.middle("#map");
+        browser.press(middle[0], middle[1]);
+        browser.until("document.querySelector('.handle') !== null");
+        assertThat(browser.value("document.querySelector('.handle').offsetWidth")
+                        .asInt())
+                .isGreaterThanOrEqualTo(48);
+        double[] handle = browser.middle(".handle");
+
+        browser.mouse("mousePressed", handle[0], handle[1]);
+        browser.mouse("mouseMoved", handle[0] + 40, handle[1] - 30);
+        browser.mouse("mouseMoved", handle[0] + 80, handle[1] - 60);
+        browser.mouse("mouseReleased", handle[0] + 80, handle[1] - 60);
+
+        double[] moved = browser.middle(".handle");
+        assertThat(moved[0]).isBetween(handle[0] + 70, handle[0] + 90);
+        assertThat(moved[1]).isBetween(handle[1] - 70, handle[1] - 50);
+        browser.click(".bar button:nth-last-child(2)"); // Undo
+        browser.until(
+                "Math.abs(document.querySelector('.handle').getBoundingClientRect().x + 24 - " + handle[0] + ") < 2");
+    }
+
     private double speedMps() {
         return session.models().fleet().snapshot().stream()
                 .mapToDouble(boat -> boat.speedMps().orElse(0))
