@@ -161,7 +161,7 @@ function tabs() {
       tabbed = '';
       refresh(true);
       chart?.resized();
-    }}, WORDS[name], counts[name] > 0 ? element('b', {}, String(counts[name])) : null)));
+    }}, WORDS[name], counts[name] > 0 ? element('b', {class: name}, String(counts[name])) : null)));
 }
 
 /** Leaves the decision that is shown. */

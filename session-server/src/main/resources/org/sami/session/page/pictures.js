@@ -6,7 +6,7 @@ import {byId, duration, element} from './dom.js';
 /** @typedef {{row: any, name: string, state: string, why?: string}} Picture of a row of the table `pictures` */
 
 const MOST_KEPT = 80;
-const MOST_SHOWN = 12; // in a list
+const MOST_SHOWN = 6; // in a list
 const AGAIN_MS = 5000;
 
 export class Pictures {

@@ -88,7 +88,7 @@ export class Readings {
     const text = [...channels.keys()].join('\n');
     if (text !== this.listed) {
       this.listed = text;
-      byId('layer').replaceChildren(element('option', {value: ''}, 'No readings'), ...[...channels].map(([value, words]) => element('option', {value, selected: value === this.chosen?.sensor}, words)));
+      byId('layer').replaceChildren(element('option', {value: ''}, 'Readings: none'), ...[...channels].map(([value, words]) => element('option', {value, selected: value === this.chosen?.sensor}, words)));
     }
   }
 
@@ -109,8 +109,9 @@ export class Readings {
     const legend = byId('legend');
     legend.hidden = layer === null;
     if (layer) {
-      legend.replaceChildren(element('span', {class: 'title'}, plain(layer.channel)), element('span', {class: 'scale'}),
-        element('span', {}, figure(layer.least)), element('span', {}, figure(layer.greatest, layer.unit)));
+      legend.className = byId('layer').value === layer.sensor + '/' + layer.channel ? '' : 'asked';
+      legend.replaceChildren(element('span', {class: 'title'}, plain(layer.channel)),
+        element('span', {}, figure(layer.least)), element('span', {class: 'scale'}), element('span', {}, figure(layer.greatest, layer.unit)));
     }
   }
 }
