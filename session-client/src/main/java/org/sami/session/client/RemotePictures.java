@@ -27,9 +27,10 @@ import org.sami.spn.journal.TelemetryRow;
 
 /**
  * Fetches the pictures of a session's boats from its server into a temporary folder here, one after the other, the newest first. A row that says that a picture is in the
- * server's folder is held back until the picture is in this one. For the link's thread.
+ * server's folder is held back until the picture is in this one. Begins once somebody wants to see them: a console does not. For the link's thread.
  */
 final class RemotePictures implements Closeable {
+    private static final System.Logger LOG = System.getLogger(RemotePictures.class.getName());
     private static final int MOST_WAITING = 200;
     private static final long MOST_BYTES = 32L << 20;
     private static final long AGAIN_MS = 2000;
@@ -41,7 +42,9 @@ final class RemotePictures implements Closeable {
     private final ScheduledExecutorService thread;
     private final SessionPictures folder = SessionPictures.temporary();
     private final Deque<Held> waiting = new ArrayDeque<>(); // the newest first
+    private final Thread leftovers = new Thread(this::delete, "pictures of the session");
     private String ticket = "";
+    private boolean wanted;
     private boolean fetching;
     private boolean closed;
 
@@ -62,6 +65,23 @@ final class RemotePictures implements Closeable {
         this.thread = thread;
         HttpClient.Builder builder = HttpClient.newBuilder();
         client = address.secure() ? builder.sslContext(trust.context(address)).build() : builder.build();
+    }
+
+    /** Somebody wants to see the pictures: they are fetched from now on, and deleted at the latest when this process ends. */
+    void want() {
+        if (!wanted) {
+            wanted = true;
+            Runtime.getRuntime().addShutdownHook(leftovers);
+            next();
+        }
+    }
+
+    private void delete() {
+        try {
+            folder.close();
+        } catch (IOException left) {
+            LOG.log(System.Logger.Level.WARNING, "pictures of the session are left in a temporary folder", left);
+        }
     }
 
     /** Where the pictures are here. */
@@ -100,7 +120,7 @@ final class RemotePictures implements Closeable {
     }
 
     private void next() {
-        if (fetching || closed || ticket.isEmpty() || waiting.isEmpty()) {
+        if (!wanted || fetching || closed || ticket.isEmpty() || waiting.isEmpty()) {
             return;
         }
         Held one = waiting.removeFirst();
@@ -197,9 +217,14 @@ final class RemotePictures implements Closeable {
 
     /** Deletes the pictures here. */
     @Override
-    public void close() throws IOException {
+    public void close() {
         closed = true;
         waiting.clear();
-        folder.close();
+        delete();
+        try {
+            Runtime.getRuntime().removeShutdownHook(leftovers);
+        } catch (IllegalStateException ending) {
+            // the process ends: what it would do is done
+        }
     }
 }

@@ -112,6 +112,11 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         }
     }
 
+    /** Fetches the pictures of the session's boats from now on, as somebody wants to see them. */
+    public void fetchPictures() {
+        thread.execute(follower::wantPictures);
+    }
+
     /** Where it is served. */
     public SessionAddress address() {
         return address;

@@ -19,7 +19,6 @@ import org.sami.spn.json.UnreadableJsonException;
 
 /** Keeps the copy of a session up with what its server sends, over connections that may be lost. On the link's thread; {@link #request} and {@link #shown} from any. */
 final class SessionFollower implements LinkListener {
-    private static final System.Logger LOG = System.getLogger(SessionFollower.class.getName());
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
 
     private final SessionAddress address;
@@ -81,11 +80,12 @@ final class SessionFollower implements LinkListener {
     /** Leaves the session. */
     void close() {
         link.close();
-        try {
-            pictures.close();
-        } catch (IOException left) {
-            LOG.log(System.Logger.Level.WARNING, "the pictures of the session are left in a temporary folder", left);
-        }
+        pictures.close();
+    }
+
+    /** Fetches pictures from now on. */
+    void wantPictures() {
+        pictures.want();
     }
 
     /** What the person may do, as its server said last. From any thread. */

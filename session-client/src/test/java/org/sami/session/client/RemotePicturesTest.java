@@ -134,6 +134,7 @@ class RemotePicturesTest {
         take("p1");
         Path here;
         try (RemoteSession remote = open()) {
+            remote.fetchPictures();
             Await.until(
                     "the first has come",
                     () -> states(remote).equals(List.of("anna: 1 of 2 pictures, 1 will not come")));
@@ -156,11 +157,22 @@ class RemotePicturesTest {
     }
 
     @Test
+    void nothingIsFetchedWhereNobodyWantsToSeePictures() throws Exception {
+        take("p1");
+        try (RemoteSession remote = open()) {
+            remote.caughtUp().toCompletableFuture().get();
+
+            assertThat(states(remote)).containsExactly("anna: 0 of 2 pictures, 1 not here yet, 1 will not come");
+        }
+    }
+
+    @Test
     void pictureThatTheBaseHasLostIsSaidToBeMissing() throws Exception {
         take("p1");
         Files.delete(kept.file(SessionPictures.path("anna", "p1", "a.jpg")));
 
         try (RemoteSession remote = open()) {
+            remote.fetchPictures();
             Await.until("it is known", () -> states(remote).equals(List.of("anna: 0 of 2 pictures, 2 will not come")));
             assertThat(remote.models()
                             .pictures()
