@@ -115,28 +115,28 @@ enum SamiModule {
                     "org.sami.crw.replay..",
                     "org.sami.crw.session.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
-    /** A session for several people. */
-    SESSION_SERVER(
-            "session-server",
-            46,
-            List.of(
-                    "org.sami.session.map..",
-                    "org.sami.session.person..",
-                    "org.sami.session.rows..",
-                    "org.sami.session.server.."),
-            List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
-    /** A session in another process, for fronts here. */
-    SESSION_CLIENT(
-            "session-client",
-            16,
-            List.of("org.sami.session.client.."),
-            List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** Colours, and pictures of nets, for windows, command and reports. */
     NET_PICTURE(
             "net-picture",
             37,
             List.of("org.sami.palette..", "org.sami.picture.."),
             List.of(SPN_AUTHORING, SPN_LANGUAGE)),
+    /** A session for several people. */
+    SESSION_SERVER(
+            "session-server",
+            58,
+            List.of(
+                    "org.sami.session.map..",
+                    "org.sami.session.person..",
+                    "org.sami.session.rows..",
+                    "org.sami.session.server.."),
+            List.of(CRW_SESSION, CRW_DOMAIN, CRW_SERVICES, NET_PICTURE, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
+    /** A session in another process, for fronts here. */
+    SESSION_CLIENT(
+            "session-client",
+            18,
+            List.of("org.sami.session.client.."),
+            List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** The course: its content, the grading of quizzes and jobs, and what learners have done. No window, no boat. */
     LESSONS("lessons", 180, List.of("org.sami.lessons.."), List.of(NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
     /** Reports of runs and logs of boats. Of the boat server it uses the geometry of its local frame. */

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongFunction;
@@ -28,6 +29,8 @@ import org.sami.crw.operator.map.MapSnapshot;
 import org.sami.crw.operator.map.MapTracks;
 import org.sami.crw.operator.map.MapViews;
 import org.sami.crw.operator.map.NamedArea;
+import org.sami.crw.operator.map.NewestReading;
+import org.sami.crw.operator.map.NewestReadings;
 import org.sami.crw.operator.map.SeenVessel;
 import org.sami.crw.operator.map.SeenVessels;
 import org.sami.crw.operator.map.SensorChannel;
@@ -65,6 +68,7 @@ public final class MapModel extends Model<MapSnapshot> {
     private final MapTracks tracks = new MapTracks();
     private final SeenVessels vessels = new SeenVessels();
     private final SensorFields fields;
+    private final NewestReadings newest = new NewestReadings();
     private final Map<String, BoatSnapshot> boats = new TreeMap<>();
     private Set<Long> shownMissions = Set.of();
     private Set<String> pointedAt = Set.of();
@@ -173,6 +177,7 @@ public final class MapModel extends Model<MapSnapshot> {
 
     void gone(String boat) {
         boats.remove(boat);
+        newest.remove(boat);
         tracks.remove(boat);
         changed();
     }
@@ -184,6 +189,7 @@ public final class MapModel extends Model<MapSnapshot> {
         tracks.clear();
         vessels.clear();
         fields.clear();
+        newest.clear();
         data = List.of();
         channels = List.of();
         changed();
@@ -233,7 +239,7 @@ public final class MapModel extends Model<MapSnapshot> {
     public void restoreHistory(List<ShownTrack> earlier, List<FleetEvent.Measured> readings) {
         readings.stream()
                 .filter(one -> !one.reading().sensor().equals(LookoutReadings.SENSOR)) // they have gone on since
-                .forEach(this::measured);
+                .forEach(one -> fields.measured(one.boat(), one.reading()));
         inbox.accept(() -> {
             earlier.forEach(track ->
                     track.points().forEach(point -> tracks.at(track.boat(), point.position(), point.atMillis())));
@@ -252,7 +258,18 @@ public final class MapModel extends Model<MapSnapshot> {
                     }));
             return;
         }
+        newest.take(measured.boat(), measured.reading(), nowMillis.getAsLong());
         fields.measured(measured.boat(), measured.reading());
+    }
+
+    /** What boats measured last since this process began, by boat and channel. From any thread. */
+    public List<NewestReading> readings() {
+        return newest.all();
+    }
+
+    /** Computes a layer of readings, beside those that are shown; as {@link SensorFields#layer}. From any thread. */
+    public CompletionStage<Optional<SensorLayer>> layer(String word, Visualization visualization) {
+        return fields.layer(word, visualization);
     }
 
     /** Time has passed. From any thread, often. */

@@ -10,6 +10,7 @@ import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.FollowFeed;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.session.BoatStart;
+import org.sami.crw.session.picture.SessionPictures;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
@@ -50,6 +51,7 @@ public final class FollowedSession {
      * @param owner of the models
      * @param nowMillis the session's clock
      * @param computing computes what sensors measured for the map, one after the other
+     * @param pictures where pictures are here before their rows are taken
      */
     public FollowedSession(
             Vocabulary vocabulary,
@@ -57,13 +59,14 @@ public final class FollowedSession {
             Executor owner,
             LongSupplier nowMillis,
             Executor computing,
-            FollowFeed.Acknowledgements acknowledge) {
+            FollowFeed.Acknowledgements acknowledge,
+            SessionPictures pictures) {
         this.nowMillis = nowMillis;
         engine = new Engine(vocabulary, project);
         state = engine.newState();
         models = new OperatorModels(owner, nowMillis, computing, HandlerModules.robotsOf(vocabulary));
         feed = models.followFeed(acknowledge);
-        boats = new RecordedBoats(feed.boats(), message -> {}, Optional.empty()); // messages come as a list
+        boats = new RecordedBoats(feed.boats(), message -> {}, Optional.of(pictures)); // messages come as a list
     }
 
     /** What lies before the operator. */

@@ -111,6 +111,11 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         }
     }
 
+    /** Fetches the pictures of the session's boats from now on, as somebody wants to see them. */
+    public void fetchPictures() {
+        thread.execute(follower::wantPictures);
+    }
+
     /** The base that serves it, or did last. */
     public SessionAddress address() {
         return follower.base();

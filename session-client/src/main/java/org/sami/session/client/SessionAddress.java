@@ -61,6 +61,11 @@ public record SessionAddress(boolean secure, String host, int port) {
         return URI.create((secure ? "wss://" : "ws://") + authority() + "/session");
     }
 
+    /** The address of something that its server gives over HTTP. */
+    URI page(String path) {
+        return URI.create((secure ? "https://" : "http://") + authority() + "/" + path);
+    }
+
     /** Host and port. */
     String authority() {
         return host + ":" + port;

@@ -32,6 +32,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 final class SessionCopy {
     private final JournalHeader header;
     private final FollowedSession followed;
+    private final RemotePictures pictures;
     private final LinkTables tables = new LinkTables();
     private final Set<String> boats = new HashSet<>();
     private final Map<String, BoatTuning> settings = new HashMap<>(); // by boat
@@ -46,8 +47,14 @@ final class SessionCopy {
      * @throws IOException in words, if this program cannot read its plans
      */
     SessionCopy(
-            JsonNode message, String where, Executor owner, Executor computing, FollowFeed.Acknowledgements acknowledge)
+            JsonNode message,
+            String where,
+            Executor owner,
+            Executor computing,
+            FollowFeed.Acknowledgements acknowledge,
+            RemotePictures pictures)
             throws IOException {
+        this.pictures = pictures;
         header = FollowJson.header(message.path("header"));
         Optional<String> other = RuleVersion.difference(header.settings());
         if (other.isPresent()) {
@@ -57,7 +64,8 @@ final class SessionCopy {
         Vocabulary vocabulary = JournalPlans.vocabulary(named, header);
         Project project = JournalPlans.project(named, header, vocabulary);
         clock(message.path("now").asLong());
-        followed = new FollowedSession(vocabulary, project, owner, this::nowMillis, computing, acknowledge);
+        followed = new FollowedSession(
+                vocabulary, project, owner, this::nowMillis, computing, acknowledge, pictures.folder());
     }
 
     /** Whether a message is about a session of these plans. */
@@ -94,6 +102,9 @@ final class SessionCopy {
         clock(message.path("now").asLong());
         List<TelemetryRow> rows = new ArrayList<>();
         message.path("rows").forEach(row -> rows.add(FollowJson.row(row)));
+        List<TelemetryRow> held =
+                rows.stream().filter(RemotePictures::isHeldBack).toList();
+        rows.removeAll(held);
         HostState state = new HostState(
                 message.path("index").asLong(),
                 Base64.getDecoder().decode(message.path("state").asText()));
@@ -101,6 +112,8 @@ final class SessionCopy {
         id = message.path("session").asText();
         reached = message.path("n").asLong();
         boats.clear();
+        pictures.restart();
+        held.forEach(this::fetch);
     }
 
     /**
@@ -113,11 +126,21 @@ final class SessionCopy {
             if (FollowJson.isEntry(item)) {
                 followed.take(FollowJson.entry(item));
             } else {
-                followed.take(FollowJson.row(item));
+                TelemetryRow row = FollowJson.row(item);
+                if (RemotePictures.isHeldBack(row)) {
+                    fetch(row);
+                } else {
+                    followed.take(row);
+                }
             }
         }
         reached = message.path("n").asLong();
         followed.look();
+    }
+
+    private void fetch(TelemetryRow row) {
+        pictures.fetch(
+                row, here -> followed.take(new TelemetryRow(nowMillis(), here.proxy(), here.kind(), here.json())));
     }
 
     /** Takes a message {@code rows}. */

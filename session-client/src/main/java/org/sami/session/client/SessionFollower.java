@@ -31,6 +31,7 @@ final class SessionFollower implements LinkListener {
     private final CompletableFuture<SessionCopy> first = new CompletableFuture<>();
     private final CompletableFuture<SessionCopy> shown = new CompletableFuture<>(); // with the rows of its boats
     private final SessionLink link;
+    private final RemotePictures pictures;
     private Optional<LocalTime> seen = Optional.empty();
     private boolean away;
     private String said = "";
@@ -60,6 +61,7 @@ final class SessionFollower implements LinkListener {
         this.disconnected = disconnected;
         base = bases.get(0);
         link = new SessionLink(bases, login, trust, this, thread);
+        pictures = new RemotePictures(trust, thread);
     }
 
     /** Connects, and keeps at it. */
@@ -80,6 +82,12 @@ final class SessionFollower implements LinkListener {
     /** Leaves the session. */
     void close() {
         link.close();
+        pictures.close();
+    }
+
+    /** Fetches pictures from now on. */
+    void wantPictures() {
+        pictures.want();
     }
 
     /** The base that held the session last. From any thread. */
@@ -96,6 +104,7 @@ final class SessionFollower implements LinkListener {
     public void welcomed(JsonNode message) {
         base = link.base();
         take(PersonRights.of(message), copy().isPresent());
+        pictures.from(base, message.path("ticket").asText());
         ObjectNode follow = ServerRequests.message("follow");
         copy().filter(known -> !known.id().isEmpty())
                 .ifPresent(known -> follow.put("session", known.id()).put("after", known.reached()));
@@ -211,7 +220,7 @@ final class SessionFollower implements LinkListener {
         }
         SessionCopy copy = known.isPresent()
                 ? known.get()
-                : new SessionCopy(message, base.toString(), front, computing, acknowledgements());
+                : new SessionCopy(message, base.toString(), front, computing, acknowledgements(), pictures);
         copy.begin(message);
         first.complete(copy);
     }

@@ -22,7 +22,10 @@ final class DecisionMarkups {
         map.boats().ifPresent(boats -> {
             ObjectNode show = row.putObject("show");
             Table.Builder.ids(show, "boats", boats.boats());
-            show.put("paths", boats.showPath()).put("state", boats.showDiagnostic());
+            show.put("paths", boats.showPath())
+                    .put("state", boats.showDiagnostic())
+                    .put("data", boats.showData())
+                    .put("pictures", boats.showPictures());
         });
         map.area().ifPresent(area -> area(row, area));
         map.information()

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.alarm.Alarm;
@@ -11,24 +12,45 @@ import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.operator.health.Health;
 import org.sami.crw.operator.map.MapSnapshot;
+import org.sami.crw.session.Session;
 import org.sami.session.person.Person;
-import org.sami.spn.value.NamedType;
+import org.sami.spn.host.Registration;
 
 /** The tables of a session, from the snapshots of its models. Tables that are for everybody are made once for all fronts. For one thread. */
-public final class SessionRows {
+public final class SessionRows implements AutoCloseable {
     private static final long BOATS_MS = 100;
     private static final long MS_PER_BOAT = 4; // about 100 kB/s for a large fleet
 
+    private final Session session;
     private final OperatorModels models;
     private final DecisionRows decisions;
+    private final MissionPhases phases;
+    private final ReadingRows readings = new ReadingRows();
     private final Map<String, Table> tables = new LinkedHashMap<>();
     private final Map<String, List<Object>> madeOf = new LinkedHashMap<>();
     private long boatsAtMillis = Long.MIN_VALUE / 2;
+    private Registration steps = () -> {};
 
-    /** The tables of the models of a session with these named types. */
-    public SessionRows(OperatorModels models, Map<String, NamedType> types) {
-        this.models = models;
-        decisions = new DecisionRows(types);
+    /**
+     * The tables of a session.
+     *
+     * @param thread on which this is used
+     */
+    public SessionRows(Session session, Executor thread) {
+        this.session = session;
+        models = session.models();
+        decisions = new DecisionRows(session.setup().vocabulary().types());
+        phases = new MissionPhases(session.setup().vocabulary(), thread);
+    }
+
+    /** Follows the session's steps from now on; before the session begins. */
+    public void start() {
+        steps = session.addListener(phases);
+    }
+
+    @Override
+    public void close() {
+        steps.close();
     }
 
     /**
@@ -46,6 +68,7 @@ public final class SessionRows {
             put(BoatRows.boats(boats, models.unreached().snapshot(), alarms, drivers));
             put(BoatRows.paths(map));
         }
+        readings.look(models.map()::readings, nowMillis).ifPresent(this::put);
         remake(
                 "settings",
                 List.of(boats.stream().map(BoatSnapshot::settings).toList()),
@@ -54,6 +77,11 @@ public final class SessionRows {
                 "missions",
                 List.of(models.missions().snapshot()),
                 () -> SituationRows.missions(models.missions().snapshot()));
+        put(phases.table());
+        remake(
+                "pictures",
+                List.of(models.pictures().snapshot()),
+                () -> PictureTable.of(models.pictures().snapshot()));
         remake(
                 "stuck",
                 List.of(models.missions().snapshot()),

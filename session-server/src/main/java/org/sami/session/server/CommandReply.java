@@ -48,6 +48,13 @@ record CommandReply(String text, ObjectNode more) {
         return reply;
     }
 
+    /** With a layer of readings. */
+    static CommandReply ofLayer(ObjectNode layer) {
+        CommandReply reply = of("");
+        reply.more.set("layer", layer);
+        return reply;
+    }
+
     static CommandReply of(Judgement judged) {
         CommandReply reply = of("");
         for (Judgement.Remark remark : judged.remarks()) {

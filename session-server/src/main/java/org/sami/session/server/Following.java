@@ -16,7 +16,8 @@ import org.sami.spn.journal.JournalHeader;
 /** The fronts that follow the session with an engine of their own, and how far each has come. For the server's thread. */
 final class Following {
     /** Tables of which such a front makes its own. */
-    private static final Set<String> FOLLOWED = Set.of("missions", "decisions", "buttons", "areas", "paths");
+    private static final Set<String> FOLLOWED =
+            Set.of("missions", "decisions", "buttons", "areas", "paths", "phases", "readings", "pictures");
 
     private final Session session;
     private final JournalFeed feed;

@@ -23,6 +23,7 @@ final class FrontCommands {
     private final FleetCommands fleet;
     private final SettingCommands settings;
     private final InputCommands inputs;
+    private final LayerCommands layers;
     private final PeopleAnswers answering;
     private final AnswerReader answers;
     private final PeopleNews news;
@@ -33,6 +34,7 @@ final class FrontCommands {
         inputs = new InputCommands(session, answering, news);
         fleet = new FleetCommands(session.fleet(), news);
         settings = new SettingCommands(session.fleet(), news);
+        layers = new LayerCommands(session);
         this.hand = hand;
         this.news = news;
         answers = new AnswerReader(session.setup().vocabulary().types());
@@ -78,6 +80,7 @@ final class FrontCommands {
             }
             case "acknowledge" -> acknowledge(person, message);
             case "note" -> note(person, message);
+            case "layer" -> layers.layer(message);
             case "ping" -> CompletableFuture.completedFuture(CommandReply.DONE);
             default -> throw new MalformedMessageException("'" + message.type() + "' comes first and once");
         };

@@ -36,6 +36,7 @@ final class Fronts implements AutoCloseable {
     private final People people;
     private final RobotKind robots;
     private final Table bases;
+    private final Tickets tickets;
     private final LongSupplier nanos;
     private final SettledDecisions settled = new SettledDecisions();
     private final Set<Front> open = new LinkedHashSet<>();
@@ -53,15 +54,22 @@ final class Fronts implements AutoCloseable {
     private long ticks;
 
     /** Fronts of a session; none is connected. */
-    Fronts(Session session, People people, RobotKind robots, SessionBases bases, LongSupplier nanos) {
+    Fronts(
+            Session session,
+            People people,
+            RobotKind robots,
+            SessionBases bases,
+            Tickets tickets,
+            LongSupplier nanos) {
         this.session = session;
         this.people = people;
         this.robots = robots;
         this.bases = bases.table();
+        this.tickets = tickets;
         this.nanos = nanos;
         failedLogins = new FailedLogins(nanos);
         PeopleNews news = new PeopleNews(session, this::sendToAll);
-        rows = new SessionRows(session.models(), session.setup().vocabulary().types());
+        rows = new SessionRows(session, this::execute);
         hand = new HandDriving(session, news);
         feed = new JournalFeed(session);
         following = new Following(session, feed, this::execute);
@@ -75,6 +83,7 @@ final class Fronts implements AutoCloseable {
      */
     void start() throws IOException {
         feed.start();
+        rows.start();
         session.execute(() -> session.addOperator(settled));
         var unused = thread.scheduleAtFixedRate(() -> guarded(this::tick), TICK_MS, TICK_MS, TimeUnit.MILLISECONDS);
     }
@@ -135,6 +144,7 @@ final class Fronts implements AutoCloseable {
 
     private void closed(Front front) {
         execute(() -> {
+            tickets.revoke(front);
             if (open.remove(front)) {
                 following.left(front);
                 hand.left(front);
@@ -219,10 +229,14 @@ final class Fronts implements AutoCloseable {
                         begun -> session.ask(view -> List.copyOf(view.project().plans())))
                 .thenCompose(plans -> session.models().shown().thenApply(shown -> plans)) // what was open is there
                 .thenAccept(plans -> execute(() -> {
+                    if (front.hasEnded()) {
+                        return;
+                    }
                     front.send(PersonMessages.welcome(person, VERSION, robots.word(), plans)
                             .put("now", session.scheduler().nowMs())
                             .put("epoch", session.setup().journal().epoch())
                             .put("beat", BEAT_MS)
+                            .put("ticket", tickets.issue(front))
                             .toString());
                     front.login(person);
                 }));
@@ -297,6 +311,7 @@ final class Fronts implements AutoCloseable {
     public void close() {
         execute(() -> List.copyOf(open).forEach(front -> front.end(StatusCode.SHUTDOWN, "the session ends")));
         feed.close();
+        rows.close();
         thread.shutdown();
         try {
             if (!thread.awaitTermination(2, TimeUnit.SECONDS)) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.sami.crw.session.archive.OperatorLogRows;
+import org.sami.crw.session.archive.PictureRows;
 import org.sami.spn.journal.TelemetryRow;
 
 /**
@@ -19,6 +20,8 @@ final class KeptRows {
     private static final int ENDS = 20; // of a boat
     private static final int READINGS = 200; // rows of a boat
     private static final int LOG = 2000;
+    private static final int PANORAMAS = 100; // of a boat
+    private static final int PICTURES = 1000; // of a boat
 
     private final Map<Group, Deque<Numbered>> groups = new HashMap<>();
 
@@ -36,8 +39,11 @@ final class KeptRows {
             case "command" -> keep(row.kind(), COMMANDS, number, row);
             case "concluded" -> keep(row.kind(), ENDS, number, row);
             case "reading", "readings" -> keep("readings", READINGS, number, row);
+            case PictureRows.TAKEN -> keep(row.kind(), PANORAMAS, number, row);
+            case PictureRows.PICTURE -> keep(row.kind(), PICTURES, number, row);
             case OperatorLogRows.KIND -> keep(row.kind(), LOG, number, row);
-            case "removed" -> groups.keySet().removeIf(group -> group.boat().equals(row.proxy()));
+            case "removed" ->
+                groups.keySet().removeIf(group -> group.boat().equals(row.proxy()) && !isOfPictures(group.kind()));
             case "begun" -> groups.keySet().removeIf(group -> isOfLink(group.kind()));
             default -> {
                 // nobody needs it later
@@ -46,7 +52,11 @@ final class KeptRows {
     }
 
     private static boolean isOfLink(String kind) {
-        return !kind.equals(OperatorLogRows.KIND) && !kind.equals("readings");
+        return !kind.equals(OperatorLogRows.KIND) && !kind.equals("readings") && !isOfPictures(kind);
+    }
+
+    private static boolean isOfPictures(String kind) {
+        return kind.equals(PictureRows.TAKEN) || kind.equals(PictureRows.PICTURE);
     }
 
     private void keep(String kind, int most, long number, TelemetryRow row) {

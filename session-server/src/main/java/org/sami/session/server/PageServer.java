@@ -13,6 +13,7 @@ import javax.net.ssl.KeyManagerFactory;
 import javax.net.ssl.SSLContext;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.http.HttpStatus;
+import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.HttpConfiguration;
 import org.eclipse.jetty.server.HttpConnectionFactory;
 import org.eclipse.jetty.server.Request;
@@ -48,6 +49,7 @@ final class PageServer {
      * A server that has not begun.
      *
      * @param bases whose pages may open the WebSocket too
+     * @param pictures answers for pictures of boats, before the page does
      * @param sockets what takes a new WebSocket of a client's address, for Jetty
      * @throws IllegalArgumentException if the session would be open to others than this machine without keys
      */
@@ -56,6 +58,7 @@ final class PageServer {
             People people,
             SessionBases bases,
             Optional<TileFile> map,
+            Optional<PictureHandler> pictures,
             Function<String, Object> sockets)
             throws IOException {
         if (!people.needKeys() && !address.host().isLoopbackAddress()) {
@@ -73,7 +76,9 @@ final class PageServer {
         connector = connector(server, address);
         server.addConnector(connector);
         WebSocketUpgradeHandler upgrades = WebSocketUpgradeHandler.from(server, this::configure);
-        upgrades.setHandler(new TileHandler(map, new PageHandler(bases)));
+        Handler pages = new TileHandler(map, new PageHandler(bases));
+        pictures.ifPresent(first -> first.setHandler(pages));
+        upgrades.setHandler(pictures.<Handler>map(first -> first).orElse(pages));
         server.setHandler(upgrades);
     }
 

@@ -14,14 +14,22 @@ import org.sami.session.person.People;
  */
 public final class SessionServer implements AutoCloseable {
     private final Fronts fronts;
+    private final PictureHandler pictures;
     private final PageServer server;
 
     private SessionServer(
             Session session, People people, ServerAddress address, Optional<TileFile> map, SessionBases bases)
             throws IOException {
+        Tickets tickets = new Tickets();
         fronts = new Fronts(
-                session, people, HandlerModules.robotsOf(session.setup().vocabulary()), bases, System::nanoTime);
-        server = new PageServer(address, people, bases, map, fronts::connect);
+                session,
+                people,
+                HandlerModules.robotsOf(session.setup().vocabulary()),
+                bases,
+                tickets,
+                System::nanoTime);
+        pictures = new PictureHandler(session.models().pictures()::snapshot, tickets);
+        server = new PageServer(address, people, bases, map, Optional.of(pictures), fronts::connect);
     }
 
     /**
@@ -73,6 +81,7 @@ public final class SessionServer implements AutoCloseable {
     @Override
     public void close() {
         fronts.close();
+        pictures.close();
         server.stop();
     }
 }

@@ -19,7 +19,7 @@ public final class StandbyServer implements AutoCloseable {
     private StandbyServer(People people, ServerAddress address, Optional<TileFile> map, SessionBases bases)
             throws IOException {
         this.bases = bases;
-        server = new PageServer(address, people, bases, map, from -> new StandbyFront(message()));
+        server = new PageServer(address, people, bases, map, Optional.empty(), from -> new StandbyFront(message()));
     }
 
     /**

@@ -22,6 +22,9 @@ export class Chart {
     this.markers = new Map();
     this.drawn = '';
     this.isPlaced = false;
+    this.isMoved = false; // by the person
+    /** @type {import('./link.js').Link | null} */
+    this.link = null;
     this.withPaths = false;
     /** Boats of the decision that is shown. @type {Set<string>} */
     this.stressed = new Set();
@@ -30,7 +33,19 @@ export class Chart {
     /** @type {((point: [number, number]) => void) | null} */
     this.taking = null;
     this.background();
+    this.watch();
+    new ResizeObserver(() => this.resized()).observe(this.map.getContainer());
     this.map.on('click', (/** @type {any} */ event) => this.taking?.([event.latlng.lat, event.latlng.lng]));
+  }
+
+  /** Notices when a person moves the map or looks closer: then it is left where it is. */
+  watch() {
+    const moved = () => (this.isMoved = true);
+    this.map.on('dragstart', moved);
+    const place = this.map.getContainer();
+    place.addEventListener('wheel', moved, {passive: true});
+    place.querySelector('.leaflet-control-zoom')?.addEventListener('click', moved);
+    place.addEventListener('pointerdown', (/** @type {PointerEvent} */ event) => event.isPrimary || moved(), {passive: true}); // a second finger
   }
 
   /** Draws the background map below all else, where the base has one. */
@@ -48,9 +63,12 @@ export class Chart {
     }
   }
 
-  /** Its place in the page has another size. */
+  /** Its place in the page has another size. All boats stay in sight until a person moves the map, or a decision shows something. */
   resized() {
     this.map.invalidateSize();
+    if (this.link && this.isPlaced && !this.isMoved && this.question.getLayers().length === 0) {
+      this.fit(this.link);
+    }
   }
 
   /** The colour of a boat, which it keeps: the same as in windows where all boats came in the order of their names. @param {import('./link.js').Link} link @param {string} id */
@@ -60,6 +78,7 @@ export class Chart {
 
   /** @param {import('./link.js').Link} link @param {string | null} selected */
   show(link, selected) {
+    this.link = link;
     const boats = link.all('boats').filter((boat) => boat.lat !== undefined);
     for (const boat of boats) {
       const marks = [
@@ -227,7 +246,7 @@ export class Chart {
     this.drawing.clearLayers();
     if (shape) {
       this.put(this.drawing, shape, {color: '#d500f9', weight: 4, fillOpacity: 0.2});
-      Chart.points(shape).forEach((point) => L.circleMarker(point, {radius: 6, color: '#d500f9', interactive: false}).addTo(this.drawing));
+      Chart.points(shape).slice(0, 500).forEach((point) => L.circleMarker(point, {radius: 6, color: '#d500f9', interactive: false}).addTo(this.drawing));
     }
   }
 }

@@ -13,12 +13,14 @@ export class DecisionForm {
    * @param {any} decision its row
    * @param {Link} link
    * @param {Chart} chart
+   * @param {import('./pictures.js').Pictures} pictures
    * @param {{say: (text: string, isFault: boolean) => void, back: () => void, resized: () => void}} page
    */
-  constructor(decision, link, chart, page) {
+  constructor(decision, link, chart, pictures, page) {
     this.decision = decision;
     this.link = link;
     this.chart = chart;
+    this.pictures = pictures;
     this.page = page;
     this.drawing = new Drawing(chart, page.resized);
     /** @type {Fields | null} */
@@ -33,11 +35,12 @@ export class DecisionForm {
     this.warnings = element('p', {class: 'warning', role: 'status'});
     this.timer = element('div', {class: 'timer'});
     this.state = element('div', {class: 'boat-states'});
+    this.seen = element('div', {class: 'seen-by'});
     const back = element('button', {class: 'back', 'aria-label': 'Back to the list', onclick: () => page.back()}, '‹');
     const where = [decision.plan, decision.place].filter(Boolean).join(' · ');
     const lines = (decision.description ?? []).map((/** @type {string} */ line) => element('p', {}, line));
     this.node = element('section', {class: 'decision'}, element('header', {}, back, element('h2', {}, decision.title)),
-      element('p', {class: 'where'}, where), ...lines, this.timer, this.state, this.form(), this.warnings, this.faults, this.answers);
+      element('p', {class: 'where'}, where), ...lines, this.timer, this.state, this.seen, this.form(), this.warnings, this.faults, this.answers);
     this.tick();
   }
 
@@ -55,6 +58,24 @@ export class DecisionForm {
     if (this.state.dataset.words !== state.join('\n')) {
       this.state.dataset.words = state.join('\n');
       this.state.replaceChildren(...state.map((line) => element('p', {}, line)));
+    }
+    this.showPictures();
+  }
+
+  /** The layer of readings that it asks for. @returns {{sensor: string, visualization: string} | null} */
+  layer() {
+    const d = this.decision;
+    return d.information ?? (d.show?.data ? {sensor: '', visualization: 'heatmap'} : null);
+  }
+
+  /** The pictures that boats had taken last when the question came, where it shows them. */
+  showPictures() {
+    const d = this.decision;
+    const taken = d.show?.pictures ? d.show.boats.flatMap((/** @type {string} */ boat) => this.pictures.lastOf(boat, d.opened)) : [];
+    const strip = this.pictures.strip(taken);
+    if (this.seen.dataset.html !== (strip?.outerHTML ?? '')) {
+      this.seen.dataset.html = strip?.outerHTML ?? '';
+      this.seen.replaceChildren(...(strip ? [strip] : []));
     }
   }
 

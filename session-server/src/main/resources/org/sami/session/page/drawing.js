@@ -1,6 +1,7 @@
 // @ts-check
-// Points that are touched on the map: a place, a path, an area, a list of places. One drawing at a time.
+// Points that are touched on the map, and dragged: a place, a path, an area, a list of places. One drawing at a time.
 import {element} from './dom.js';
+import {Handles, MOST} from './handles.js';
 
 /** @typedef {import('./chart.js').Chart} Chart */
 
@@ -17,51 +18,91 @@ export class Drawing {
   constructor(chart, resized) {
     this.chart = chart;
     this.resized = resized;
+    this.handles = new Handles(chart.map);
     /** @type {HTMLElement | null} */
     this.bar = null;
+    /** Points as they were before each change. @type {any[][]} */
+    this.before = [];
+    /** @type {number | null} */
+    this.selected = null;
   }
 
   /**
    * Begins; what was being drawn ends.
    *
-   * @param {{type: string, points: any[], changed: () => void, done: () => void}} asked points grows in place
+   * @param {{type: string, points: any[], changed: () => void, done: () => void}} asked points change in place
    */
   begin(asked) {
     this.end();
+    this.before = [];
+    this.selected = null;
     const many = asked.type !== 'point';
-    const count = element('output', {}, many ? 'Touch the points, one after another' : 'Touch the place');
+    const words = element('output');
+    const remove = element('button', {type: 'button', onclick: () => change(() => asked.points.splice(this.selected ?? 0, 1))}, 'Remove point');
+    const undo = element('button', {type: 'button', onclick: () => {
+      asked.points.splice(0, asked.points.length, ...(this.before.pop() ?? asked.points));
+      this.selected = null;
+      shown();
+    }}, 'Undo');
+    const keep = () => this.before.push([...asked.points]);
+    const shape = () => this.chart.draft(asked.points.length === 0 ? null : shapeOf(asked.type, asked.points));
     const shown = () => {
-      count.textContent = asked.points.length === 1 ? '1 point' : asked.points.length + ' points';
-      this.chart.draft(asked.points.length === 0 ? null : shapeOf(asked.type, asked.points));
+      words.textContent = Drawing.words(asked.type, asked.points.length);
+      remove.hidden = this.selected === null || !many;
+      undo.toggleAttribute('disabled', this.before.length === 0);
+      shape();
+      this.handles.show(asked.type, asked.points, this.selected, {begun: keep, moved: shape, over: () => {
+        this.selected = null;
+        shown();
+        asked.changed();
+      }, chosen: (at) => {
+        this.selected = this.selected === at ? null : at;
+        shown();
+      }});
+    };
+    const change = (/** @type {() => void} */ doing) => {
+      keep();
+      doing();
+      this.selected = null;
+      shown();
       asked.changed();
     };
-    this.chart.taking = (point) => {
+    this.chart.taking = (point) => change(() => {
       if (!many) {
         asked.points.length = 0;
       }
       asked.points.push(point);
-      shown();
-    };
-    const undo = () => {
-      asked.points.pop();
-      shown();
-    };
+    });
     const done = () => {
       this.end();
       document.body.classList.add('open');
       this.resized();
       asked.done();
     };
-    this.bar = element('div', {class: 'bar'}, count, element('button', {type: 'button', onclick: undo}, 'Undo'), element('button', {type: 'button', class: 'main', onclick: done}, 'Done'));
+    this.bar = element('div', {class: 'bar'}, words, remove, undo, element('button', {type: 'button', class: 'main', onclick: done}, 'Done'));
     document.body.append(this.bar);
     document.body.classList.add('drawing');
     document.body.classList.remove('open');
     this.resized();
+    if (asked.points.length > 0) {
+      this.chart.bring(asked.points, false);
+    }
+    shown();
+  }
+
+  /** @param {string} type @param {number} count */
+  static words(type, count) {
+    if (count === 0) {
+      return type === 'point' ? 'Touch the place' : 'Touch the points, one after another';
+    }
+    const drag = count > MOST ? 'too many to drag' : 'drag to move';
+    return type === 'point' ? '1 point · ' + drag : count + (count === 1 ? ' point · ' : ' points · ') + drag;
   }
 
   /** What was drawn stays on the map until {@link Chart#draft} is given something else. */
   end() {
     this.chart.taking = null;
+    this.handles.clear();
     this.bar?.remove();
     this.bar = null;
     document.body.classList.remove('drawing');

@@ -59,17 +59,32 @@ export class Fields {
     }
   }
 
-  /** @param {any} field */
+  /** What is there already is changed point by point; nothing of it is lost until the answer is given. @param {any} field */
   draw(field) {
     const count = element('output', {}, field.value === undefined ? 'nothing yet' : 'as shown');
-    const begin = () => {
-      const points = this.points.get(field.key) ?? [];
+    const begin = (/** @type {any[]} */ points) => {
       this.points.set(field.key, points);
       this.drawing.begin({type: field.type, points, changed: () => {
         count.textContent = points.length === 1 ? '1 point' : points.length + ' points';
+        edit.textContent = Fields.drawing(points);
       }, done: this.changed});
     };
-    return element('span', {class: 'draw'}, element('button', {type: 'button', onclick: begin}, 'Draw on the map'), count);
+    const present = () => this.points.get(field.key) ?? Fields.pointsOf(field);
+    const edit = element('button', {type: 'button', onclick: () => begin(present())}, Fields.drawing(present()));
+    const anew = field.value === undefined ? null : element('button', {type: 'button', onclick: () => begin([])}, 'Draw anew');
+    return element('span', {class: 'draw'}, edit, anew, count);
+  }
+
+  /** @param {any[]} points */
+  static drawing(points) {
+    return points.length === 0 ? 'Draw on the map' : 'Move points';
+  }
+
+  /** The points of what a question proposes. @param {any} field @returns {any[]} */
+  static pointsOf(field) {
+    const value = field.value;
+    const points = value === undefined ? [] : field.type === 'point' ? [value] : field.type === 'area' ? value.outline : value;
+    return points.map((/** @type {any} */ one) => [one.lat, one.lon]);
   }
 
   /** Shows again what was drawn. */
@@ -127,6 +142,6 @@ export class Fields {
     if (points.length < least) {
       throw new Error(field.key + ' needs ' + least + (least === 1 ? ' point' : ' points') + ' on the map.');
     }
-    return field.type === 'point' ? points[0] : field.type === 'area' ? {outline: points, holes: []} : points;
+    return field.type === 'point' ? points[0] : field.type === 'area' ? {outline: points, holes: field.value?.holes ?? []} : points;
   }
 }

@@ -7,6 +7,8 @@ import {Drawing} from './drawing.js';
 import {byId, duration, element, hold, isPressed} from './dom.js';
 import {Link} from './link.js';
 import * as panels from './panels.js';
+import {Pictures} from './pictures.js';
+import {Readings} from './readings.js';
 
 const THEMES = ['light', 'dark', 'sun'];
 const TABS = /** @type {const} */ (['decisions', 'boats', 'missions', 'messages', 'alarms']);
@@ -24,16 +26,20 @@ const forms = new Map();
 let driving = null;
 /** @type {Chart | null} */
 let chart = null;
+/** @type {Readings | null} */
+let readings = null;
 let tabbed = ''; // what the tabs were made of
 let shown = ''; // what the panel was made of
 
 const link = new Link({changed: () => refresh(), refused: (why) => showLogin(why), news: (text) => say(text, false)});
 
+const pictures = new Pictures(link, () => refresh());
+
 const actions = {
   /** @param {any} decision */
   open: (decision) => {
     back();
-    form = forms.get(decision.id) ?? new DecisionForm(decision, link, /** @type {Chart} */ (chart), {say, back: () => {
+    form = forms.get(decision.id) ?? new DecisionForm(decision, link, /** @type {Chart} */ (chart), pictures, {say, back: () => {
       back();
       refresh(true);
     }, resized: () => chart?.resized()});
@@ -58,6 +64,8 @@ const actions = {
   refresh: () => refresh(true),
   /** @param {any} boat */
   byHand: (boat) => driving?.node(boat) ?? null,
+  /** The newest pictures of a boat. @param {string} boat */
+  pictures: (boat) => pictures.strip(pictures.of(boat)),
   /** A note at a place that is touched. @param {string} text */
   noteAt: (text) => {
     const points = /** @type {any[]} */ ([]);
@@ -108,6 +116,7 @@ function join() {
     actions.select(boat);
   });
   driving ??= new Driving(link, chart, {command: actions.command, resized: () => chart?.resized()});
+  readings ??= new Readings(link, chart);
   chart.resized();
   link.join(sessionStorage.getItem('name') ?? '', sessionStorage.getItem('key') ?? '');
 }
@@ -156,7 +165,7 @@ function tabs() {
       tabbed = '';
       refresh(true);
       chart?.resized();
-    }}, WORDS[name], counts[name] > 0 ? element('b', {}, String(counts[name])) : null)));
+    }}, WORDS[name], counts[name] > 0 ? element('b', {class: name}, String(counts[name])) : null)));
 }
 
 /** Leaves the decision that is shown. */
@@ -209,6 +218,7 @@ function refresh(always = false) {
   strip();
   followDecisions();
   chart.show(link, selected);
+  readings?.show(form?.layer() ?? null);
   const chosen = selected === null ? null : link.row('boats', selected);
   if (chosen && !isPressed()) {
     driving?.node(chosen); // also while the focus is in the list, which is not made again then

@@ -2,9 +2,11 @@
 // The lists of the session: decisions, boats, missions with their interrupts, messages and alarms.
 import {Chart} from './chart.js';
 import {duration, element, hold} from './dom.js';
+import {phases} from './phases.js';
+import {readingsOf} from './readings.js';
 
 /** @typedef {import('./link.js').Link} Link */
-/** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null, calls: (decision: any) => boolean, byHand: (boat: any) => HTMLElement | null, noteAt: (text: string) => void, refresh: () => void}} Actions */
+/** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null, calls: (decision: any) => boolean, byHand: (boat: any) => HTMLElement | null, pictures: (boat: string) => HTMLElement | null, noteAt: (text: string) => void, refresh: () => void}} Actions */
 
 /** @param {Link} link @param {Actions} actions */
 export function decisions(link, actions) {
@@ -31,7 +33,9 @@ export function boats(link, actions) {
     const node = element('button', {class: 'row' + (boat.alarm ? ' ' + boat.alarm : standing) + (boat.id === actions.selected() ? ' selected' : ''), onclick: () => actions.select(boat.id)},
       element('strong', {}, mark, boat.id), element('span', {class: boat.batteryLevel ?? ''}, figures), element('small', {}, boat.why ?? ''));
     const byHand = boat.id === actions.selected() ? actions.byHand(boat) : null;
-    return byHand ? [node, byHand] : [node];
+    const readings = boat.id === actions.selected() ? readingsOf(link, boat.id) : null;
+    const pictures = boat.id === actions.selected() ? actions.pictures(boat.id) : null;
+    return [node, pictures, readings, byHand].filter((one) => one !== null);
   });
 }
 
@@ -47,6 +51,7 @@ export function missions(link, actions) {
     nodes.push(element('section', {class: 'mission'},
       element('h2', {}, mission.name),
       element('p', {}, 'For ' + duration(link.now() - mission.since) + (mission.stuck ? '. ' + mission.stuck : '')),
+      phases(link.row('phases', mission.id), actions.refresh),
       ...buttons.map((one) => interrupt(link, actions, one)),
       link.may('start') ? abort(actions, mission) : null));
   }

@@ -1,12 +1,12 @@
 // Keeps the page's own files, so that it opens and says "last seen" where the base cannot be reached.
-const FILES = ['./', 'page.js', 'page.css', 'dom.js', 'bases.js', 'link.js', 'chart.js', 'decisions.js', 'drawing.js', 'driving.js', 'fields.js', 'panels.js', 'icon.svg', 'manifest.webmanifest', 'leaflet/leaflet-src.esm.js', 'leaflet/leaflet.css'];
-const CACHE = 'sami-session-3';
+const FILES = ['./', 'page.js', 'page.css', 'dom.js', 'bases.js', 'link.js', 'chart.js', 'decisions.js', 'drawing.js', 'driving.js', 'field.js', 'fields.js', 'handles.js', 'panels.js', 'phases.js', 'pictures.js', 'readings.js', 'icon.svg', 'manifest.webmanifest', 'leaflet/leaflet-src.esm.js', 'leaflet/leaflet.css'];
+const CACHE = 'sami-session-4';
 
 self.addEventListener('install', (event) => event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES))));
 self.addEventListener('activate', (event) =>
   event.waitUntil(caches.keys().then((names) => Promise.all(names.filter((name) => name !== CACHE).map((name) => caches.delete(name))))));
 self.addEventListener('fetch', (event) => {
-  if (event.request.method !== 'GET') {
+  if (event.request.method !== 'GET' || event.request.headers.has('Authorization')) { // pictures are kept nowhere
     return;
   }
   event.respondWith(

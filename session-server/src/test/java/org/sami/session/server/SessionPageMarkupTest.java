@@ -20,7 +20,7 @@ class SessionPageMarkupTest {
          'missionTree': [{'label': 'All', 'children': [{'plan': 'weed'}]}],
          'plans': [
           {'id': 'weed', 'name': 'Weed', 'places': [
-            {'id': 'ask', 'name': 'Ask', 'start': true, 'outputs': [
+            {'id': 'ask', 'name': 'Judge the weed', 'start': true, 'outputs': [
               {'id': 'weed', 'type': 'DisplayMessage', 'fields': {'message': {'value': 'Weed ahead'}},
                'markups': [{'type': 'Keyword', 'options': {'source': 'plants'}}]},
               {'id': 'wind', 'type': 'DisplayMessage', 'fields': {'message': {'value': 'Wind from the west'}},
@@ -28,16 +28,23 @@ class SessionPageMarkupTest {
               {'id': 'approve', 'type': 'OperatorApprove', 'fields': {'question': {'value': 'Go on through the weed?'}},
                'markups': [
                  {'type': 'Attention', 'options': {'type': 'BLINK', 'target': 'COMPONENT'}},
+                 {'type': 'PhaseItem', 'options': {'phaseName': 'Look', 'actor': 'OPERATOR'}},
                  {'type': 'MixedInitiativeTrigger', 'options': {'trigger': 'TIMER', 'timeout': 'PT2H'}}]}]},
-            {'id': 'end', 'name': 'End', 'end': true}],
+            {'id': 'end', 'name': 'End', 'end': true},
+            {'id': 'count', 'name': 'Count the boats', 'outputs': [
+              {'id': 'home', 'type': 'OperatorApprove', 'fields': {'question': {'value': 'Are all boats home?'}},
+               'markups': [{'type': 'PhaseItem', 'options': {'phaseName': 'Return', 'actor': 'OPERATOR'}}]}]}],
            'transitions': [
             {'id': 'yes', 'name': 'Yes', 'inputs': [{'id': 'said-yes', 'type': 'YesOption'}]},
+            {'id': 'counted', 'name': 'Counted', 'inputs': [{'id': 'said-home', 'type': 'YesOption'}]},
             {'id': 'no', 'name': 'No', 'inputs': [{'id': 'said-no', 'type': 'NoOption'}]}],
            'inEdges': [
             {'id': 'i1', 'place': 'ask', 'transition': 'yes', 'requirements': [{'match': 'at-least', 'n': 1, 'kind': 'generic'}]},
-            {'id': 'i2', 'place': 'ask', 'transition': 'no', 'requirements': [{'match': 'at-least', 'n': 1, 'kind': 'generic'}]}],
+            {'id': 'i2', 'place': 'ask', 'transition': 'no', 'requirements': [{'match': 'at-least', 'n': 1, 'kind': 'generic'}]},
+            {'id': 'i3', 'place': 'count', 'transition': 'counted', 'requirements': [{'match': 'at-least', 'n': 1, 'kind': 'generic'}]}],
            'outEdges': [
-            {'id': 'o1', 'transition': 'yes', 'place': 'end', 'requirements': [{'action': 'take', 'n': 1, 'kind': 'generic'}]},
+            {'id': 'o1', 'transition': 'yes', 'place': 'count', 'requirements': [{'action': 'take', 'n': 1, 'kind': 'generic'}]},
+            {'id': 'o3', 'transition': 'counted', 'place': 'end', 'requirements': [{'action': 'take', 'n': 1, 'kind': 'generic'}]},
             {'id': 'o2', 'transition': 'no', 'place': 'end', 'requirements': [{'action': 'take', 'n': 1, 'kind': 'generic'}]}]}
          ]}\
         """);
@@ -108,5 +115,29 @@ class SessionPageMarkupTest {
         assertThat(browser.value("document.querySelector('#panel div.row').textContent")
                         .asText())
                 .contains("Wind from the west");
+    }
+
+    @Test
+    void missionShowsItsPhasesAndWhatIsUnderWay() throws Exception {
+        browser.click("#tabs button:nth-child(3)");
+        browser.until("document.querySelectorAll('.phases > li').length === 2");
+        assertThat(browser.value("document.querySelector('.phases > li.active').textContent")
+                        .asText())
+                .isEqualTo("▶Look0 of 1▶Judge the weedOperator");
+        browser.click("#tabs button:nth-child(1)");
+        browser.click("#panel button.row");
+        browser.click(".decision .answers button.main");
+        browser.until("document.querySelector('.decision') === null");
+
+        browser.click("#tabs button:nth-child(3)");
+
+        browser.until("document.querySelector('.phases > li.done') !== null"
+                + " && document.querySelector('.phases > li.active') !== null");
+        assertThat(browser.value("document.querySelector('.phases > li.done').textContent")
+                        .asText())
+                .isEqualTo("✓Look1 of 1");
+        assertThat(browser.value("document.querySelector('.phases > li.active').textContent")
+                        .asText())
+                .contains("Count the boats");
     }
 }

@@ -141,6 +141,86 @@ class SessionPageTest {
         }
     }
 
+    @Test
+    void readingsOfABoatAreListedAndDrawnOnTheMap() throws Exception {
+        try (MeasuringBoat boat = new MeasuringBoat()) {
+            boat.join(session);
+            page.join();
+            browser.until("document.querySelectorAll('#layer option').length === 3");
+            browser.click("#tabs button:nth-child(2)");
+            browser.until("document.querySelector('#panel button.row') !== null");
+            browser.click("#panel button.row");
+            browser.until("document.querySelector('.readings')?.textContent.includes('°C')");
+            assertThat(browser.value("document.querySelector('.readings').textContent")
+                            .asText())
+                    .contains("Temperature", "Oxygen", "mg/L", " s ago");
+
+            browser.value("document.getElementById('layer').selectedIndex = 2");
+            browser.value("document.getElementById('layer').dispatchEvent(new Event('change'))");
+
+            browser.until("document.querySelector('img.field-image') !== null");
+            assertThat(browser.value("document.getElementById('legend').textContent")
+                            .asText())
+                    .endsWith(" °C");
+        }
+    }
+
+    @Test
+    void picturesOfABoatAreShownAndStoredNowhere() throws Exception {
+        try (MeasuringBoat boat = new MeasuringBoat()) {
+            boat.join(session);
+            TakenPanorama.give(session, folder);
+            page.join();
+            browser.value("navigator.serviceWorker.ready.then(() => location.reload())");
+            browser.until("navigator.serviceWorker.controller !== null"
+                    + " && document.getElementById('state')?.textContent.includes('anna (operator)')");
+            browser.click("#tabs button:nth-child(2)");
+            browser.until("document.querySelector('#panel button.row') !== null");
+            browser.click("#panel button.row");
+            browser.until("document.querySelector('.thumb img')?.naturalWidth === 320");
+            browser.click(".thumb");
+            browser.until("document.querySelector('#viewer img')?.naturalWidth === 1600");
+
+            assertThat(browser.value("document.querySelector('#viewer').textContent")
+                            .asText())
+                    .contains("bella · 1 of 2");
+            browser.value(
+                    "caches.match('picture', {ignoreSearch: true}).then((found) => (window.found = String(found)))");
+            browser.until("window.found !== undefined");
+            assertThat(browser.value("window.found").asText()).isEqualTo("undefined");
+
+            browser.click("#viewer button[aria-label=Close]");
+            browser.until("document.getElementById('viewer').hidden");
+        }
+    }
+
+    @Test
+    void pointThatIsDrawnIsDraggedToAnotherPlaceBeforeItIsConfirmed() throws Exception {
+        page.join();
+        page.start("station-keep");
+        browser.click("#panel button.row");
+        browser.click(".decision .draw button");
+        double[] middle = browser.middle("#map");
+        browser.press(middle[0], middle[1]);
+        browser.until("document.querySelector('.handle') !== null");
+        assertThat(browser.value("document.querySelector('.handle').offsetWidth")
+                        .asInt())
+                .isGreaterThanOrEqualTo(48);
+        double[] handle = browser.middle(".handle");
+
+        browser.mouse("mousePressed", handle[0], handle[1]);
+        browser.mouse("mouseMoved", handle[0] + 40, handle[1] - 30);
+        browser.mouse("mouseMoved", handle[0] + 80, handle[1] - 60);
+        browser.mouse("mouseReleased", handle[0] + 80, handle[1] - 60);
+
+        double[] moved = browser.middle(".handle");
+        assertThat(moved[0]).isBetween(handle[0] + 70, handle[0] + 90);
+        assertThat(moved[1]).isBetween(handle[1] - 70, handle[1] - 50);
+        browser.click(".bar button:nth-last-child(2)"); // Undo
+        browser.until(
+                "Math.abs(document.querySelector('.handle').getBoundingClientRect().x + 24 - " + handle[0] + ") < 2");
+    }
+
     private double speedMps() {
         return session.models().fleet().snapshot().stream()
                 .mapToDouble(boat -> boat.speedMps().orElse(0))

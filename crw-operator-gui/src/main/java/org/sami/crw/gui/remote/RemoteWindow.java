@@ -69,6 +69,7 @@ public final class RemoteWindow {
         this.session = session;
         this.data = data;
         this.ended = ended;
+        session.fetchPictures();
         RobotKind robots = HandlerModules.robotsOf(session.vocabulary());
         context = new OperatorContext(
                 session,

@@ -8,6 +8,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.BiConsumer;
@@ -106,6 +108,20 @@ public final class SensorFields {
                 computed.accept(List.copyOf(fields.keySet()), layers(now));
             }
         });
+    }
+
+    /**
+     * Computes a layer that somebody looks at beside those that are shown, of all boats. Completes on the computing executor; never where the session has ended.
+     *
+     * @param word names the sensor or channel; empty text for the first channel
+     * @return empty where nothing of that name was measured
+     */
+    public CompletionStage<Optional<SensorLayer>> layer(String word, Visualization visualization) {
+        CompletableFuture<Optional<SensorLayer>> layer = new CompletableFuture<>();
+        execute(() -> layer.complete(
+                layers(List.of(new Request(word, visualization, Set.of(), OptionalDouble.empty(), ""))).stream()
+                        .findFirst()));
+        return layer;
     }
 
     private void execute(Runnable work) {

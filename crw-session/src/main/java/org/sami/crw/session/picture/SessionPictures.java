@@ -54,6 +54,11 @@ public final class SessionPictures implements Closeable {
     Path folder(String boat, String panorama) throws IOException {
         Path folder =
                 Objects.requireNonNull(root.resolve(path(boat, panorama, "x")).getParent(), "folder");
+        made(folder);
+        return folder;
+    }
+
+    private void made(Path folder) throws IOException {
         boolean posix = root.getFileSystem().supportedFileAttributeViews().contains("posix");
         FileAttribute<?>[] own = posix
                 ? new FileAttribute<?>[] {
@@ -61,7 +66,18 @@ public final class SessionPictures implements Closeable {
                 }
                 : new FileAttribute<?>[0];
         Files.createDirectories(folder, own);
-        return folder;
+    }
+
+    /**
+     * The place for a file that was noted ({@link #noted}), in a folder that is there then.
+     *
+     * @throws IOException if the folder cannot be made
+     * @throws IllegalArgumentException if it would lie outside
+     */
+    public Path place(String noted) throws IOException {
+        Path file = file(noted);
+        made(Objects.requireNonNull(file.getParent(), "folder"));
+        return file;
     }
 
     /** The path of a picture below the folder, with slashes. */

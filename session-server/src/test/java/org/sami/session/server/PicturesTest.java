@@ -1,0 +1,137 @@
+package org.sami.session.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.ByteArrayInputStream;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.server.testing.Await;
+import org.sami.crw.session.Session;
+import org.sami.crw.session.SessionSetup;
+import org.sami.session.person.PeopleFile;
+import org.sami.session.person.Person;
+import org.sami.session.person.PersonKey;
+import org.sami.session.person.PersonRole;
+import org.sami.spn.json.DomainLibrary;
+
+/** Pictures of boats over HTTP on loopback. */
+class PicturesTest {
+    @TempDir
+    private Path folder;
+
+    private Session session;
+    private PeopleFile people;
+    private SessionServer server;
+    private TestFront otto;
+    private String ticket;
+
+    @BeforeEach
+    void serve() throws Exception {
+        DomainLibrary library =
+                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
+        session = Session.open(SessionSetup.of(
+                library.vocabulary(), library.projectOf("station-keep").orElseThrow()));
+        people = new PeopleFile(folder.resolve("people"));
+        people.add(new Person("otto", PersonRole.OBSERVER, List.of(), PersonKey.hash("key of otto")));
+        server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
+        session.begin();
+        TakenPanorama.give(session, folder);
+        otto = new TestFront(server);
+        otto.send("{\"t\":\"hello\",\"v\":1,\"name\":\"otto\",\"key\":\"key of otto\"}");
+        ticket = otto.until(message -> message.path("t").asText().equals("welcome"))
+                .path("ticket")
+                .asText();
+    }
+
+    @AfterEach
+    void end() throws Exception {
+        server.close();
+        session.close();
+    }
+
+    private HttpResponse<byte[]> get(String query, String shown) throws Exception {
+        HttpRequest.Builder request = HttpRequest.newBuilder(URI.create(server.url() + query));
+        if (!shown.isEmpty()) {
+            request.header("Authorization", "Bearer " + shown);
+        }
+        return HttpClient.newHttpClient().send(request.build(), HttpResponse.BodyHandlers.ofByteArray());
+    }
+
+    @Test
+    void observerLearnsWhichPicturesThereAre() throws Exception {
+        JsonNode row = otto.until(message -> message.path("set")
+                        .path("pictures")
+                        .path(0)
+                        .path("pictures")
+                        .findValuesAsText("state")
+                        .equals(List.of("here", "here", "coming")))
+                .path("set")
+                .path("pictures")
+                .get(0);
+
+        assertThat(row.path("id").asText()).isEqualTo("bella/p1");
+        assertThat(row.path("at").asLong()).isEqualTo(1000);
+        assertThat(row.path("lat").asDouble()).isEqualTo(45.4);
+    }
+
+    @Test
+    void smallPictureHasAtMostThirtyKilobytes() throws Exception {
+        HttpResponse<byte[]> small = get(TakenPanorama.QUERY + "a.jpg&small=1", ticket);
+
+        assertThat(small.statusCode()).isEqualTo(200);
+        assertThat(small.headers().firstValue("Content-Type")).contains("image/jpeg");
+        assertThat(small.body()).hasSizeBetween(1000, 30_000);
+        assertThat(ImageIO.read(new ByteArrayInputStream(small.body())).getWidth())
+                .isEqualTo(320);
+    }
+
+    @Test
+    void largePictureIsTheFileAndNobodyMayStoreIt() throws Exception {
+        HttpResponse<byte[]> large = get(TakenPanorama.QUERY + "a.jpg", ticket);
+
+        assertThat(large.body()).isEqualTo(Files.readAllBytes(folder.resolve("a.jpg")));
+        assertThat(large.headers().firstValue("Cache-Control")).contains("no-store");
+        assertThat(large.headers().firstValue("Content-Security-Policy").orElse(""))
+                .startsWith("default-src 'none'");
+        assertThat(large.headers().firstValue("X-Content-Type-Options")).contains("nosniff");
+    }
+
+    @Test
+    void whatIsNoPictureIsNotServed() throws Exception {
+        assertThat(get(TakenPanorama.QUERY + "b.jpg", ticket).statusCode()).isEqualTo(404);
+        assertThat(get(TakenPanorama.QUERY + "b.jpg&small=1", ticket).statusCode())
+                .isEqualTo(404);
+        assertThat(get(TakenPanorama.QUERY + "c.jpg", ticket).statusCode()).isEqualTo(404);
+        assertThat(get(TakenPanorama.QUERY + "../people", ticket).statusCode()).isEqualTo(404);
+    }
+
+    @Test
+    void nobodyGetsAPictureWithoutATicketOfALoginThatLasts() throws Exception {
+        String small = TakenPanorama.QUERY + "a.jpg&small=1";
+        assertThat(get(small, "").statusCode()).isEqualTo(401);
+        assertThat(get(small, "wrong").statusCode()).isEqualTo(401);
+        assertThat(get(small, ticket).statusCode()).isEqualTo(200);
+
+        people.remove("otto");
+        otto.closed();
+
+        Await.until("the ticket counts no longer", () -> {
+            try {
+                return get(small, ticket).statusCode() == 401;
+            } catch (Exception fault) {
+                throw new IllegalStateException(fault);
+            }
+        });
+    }
+}
