@@ -10,6 +10,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleBiFunction;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.assertj.core.data.Offset;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.cli.CommandResult;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
@@ -21,6 +24,9 @@ import org.sami.spn.value.GeoPoint;
  * On calm water the first two know where they are, so their tracks in the report are the truth; of the third its simulator says it.
  */
 final class MixedTeam implements AutoCloseable {
+    private static final double VISIT_M = 3.5;
+    private static final double LANES_M = 2;
+    private static final Pattern LANES = Pattern.compile("in (\\d+) m of track, for 3 boats at most (\\d+) m");
     private static final double TRACK_ROUNDING_M = 0.3; // tracks are thinned
 
     private final SimulatedBoatsOnTcp ours = new SimulatedBoatsOnTcp(1);
@@ -51,8 +57,8 @@ final class MixedTeam implements AutoCloseable {
                 .toString();
     }
 
-    /** Runs a plan on all three to its end; the report goes into a folder that is not there yet. */
-    void run(Path report, String plan, String... more) throws IOException {
+    /** Runs a plan on all three to its end; the report goes into a folder that is not there yet. Gives what is printed. */
+    String run(Path report, String plan, String... more) throws IOException {
         List<String> arguments = new ArrayList<>(List.of(
                 "run",
                 plan,
@@ -81,17 +87,34 @@ final class MixedTeam implements AutoCloseable {
                 .forEach(row -> tracks.computeIfAbsent(row[0], boat -> new ArrayList<>())
                         .add(GeoPoint.of(Double.parseDouble(row[2]), Double.parseDouble(row[3]))));
         rows(report, "boats.csv").forEach(row -> distanceM.put(row[0], Double.parseDouble(row[2])));
+        return ran.out();
     }
 
     /** The rows of a table of the report, without its head. */
-    static List<String[]> rows(Path report, String table) throws IOException {
+    private static List<String[]> rows(Path report, String table) throws IOException {
         return Files.readAllLines(report.resolve(table)).stream()
                 .skip(1)
                 .map(row -> row.split(",", -1))
                 .toList();
     }
 
-    /** How far a boat has driven, in metres. */
+    /** Each location was truly visited by one of them. */
+    void assertVisited(Path report, int locations) throws IOException {
+        assertThat(rows(report, "locations.csv"))
+                .hasSize(locations)
+                .allSatisfy(row -> assertThat(nearestM(Double.parseDouble(row[1]), Double.parseDouble(row[2])))
+                        .isLessThan(VISIT_M));
+    }
+
+    /** The longest share of the lanes is half of them all: that of a boat which is as fast as both others together. */
+    static void assertHalfOfTheLanesAreTheFastBoats(String out) {
+        Matcher said = LANES.matcher(out);
+        assertThat(said.find()).as(out).isTrue();
+        assertThat(Double.parseDouble(said.group(2)))
+                .isCloseTo(Double.parseDouble(said.group(1)) / 2, Offset.offset(LANES_M));
+    }
+
+    /** How far a boat of ours has driven, in metres. */
     double distanceM(String boat) {
         return distanceM.getOrDefault(boat, 0.0);
     }
