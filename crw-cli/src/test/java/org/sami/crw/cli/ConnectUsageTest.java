@@ -24,7 +24,10 @@ class ConnectUsageTest {
                 "--connect nowhere | 'nowhere' is no HOST:PORT",
                 "--connect localhost:5001,localhost:5001 | localhost:5001 stands there twice",
                 "--connect localhost:5001, | '' is no HOST:PORT",
-                "--connect localhost:5001 --boats 1 | --boats and --connect exclude each other",
+                "--connect localhost:5001 --boats 1 | --boats beside --connect: say by --at where the area lies",
+                "--connect localhost:5001 --quay 45.7,10.72 | the boats lie where they were started",
+                "--connect localhost:5001 --boats 250 --at 45.7,10.72 | --boats is 1 to 249, not 250",
+                "--connect localhost:5001 --boats 1 --at 45.7,10.72 --range 900 | say their range themselves",
                 "--connect localhost:5001 --speed max | run at speed 1, not max",
                 "--connect localhost:5001 --speed 20 | run at speed 1, not 20",
                 "--connect localhost:5001 --interrupt nosuch@5 | has no interrupt 'nosuch'"

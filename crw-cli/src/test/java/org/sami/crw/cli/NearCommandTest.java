@@ -80,11 +80,11 @@ class NearCommandTest {
     }
 
     @Test
-    void nearExcludesWhatSimulatedBoatsHave() {
+    void simulatedBoatsBesideThoseNearNeedAPlace() {
         CommandResult run = CommandResult.crw("run", "clv", "--near", "--boats", "3");
 
         assertThat(run.exitCode()).isEqualTo(2);
-        assertThat(run.err()).contains("--boats and --near exclude each other");
+        assertThat(run.err()).contains("--boats beside --near: say by --at where the area lies");
     }
 
     /** A busy machine may hear one of the two too late for one search. */

@@ -174,6 +174,11 @@ public final class BoatProxy {
         return condition.performance.cruiseMps().orElse(usualSpeedMps);
     }
 
+    /** The radius of its narrowest turn at that speed, in metres; 0 for a boat that turns on the spot, or does not say it. */
+    public double turningRadiusM() {
+        return condition.performance.turningRadiusM().orElse(0);
+    }
+
     /** The latest that is known of the boat. */
     public BoatStatus status() {
         return condition.status;

@@ -122,6 +122,23 @@ class AllocationRequestTest extends TwoBoatsOnHandlers {
         assertThat(allocation.paths().get("fast").points()).hasSize(3);
     }
 
+    /** Both lie in the midst of four locations: whoever has two turns sharply between them. */
+    @Test
+    void boatWithAWideTurningCircleGetsLess() {
+        world.addBoat("wide", 0, 50, hull -> hull.performance = turningIn(30));
+        world.addBoat("narrow", 0, 50, hull -> hull.performance = turningIn(0));
+        world.run(1);
+
+        Allocation allocation = allocated(List.of(at(0, 70), at(0, 30), at(20, 50), at(-20, 50)), "wide", "narrow");
+
+        assertThat(allocation.paths().get("wide").points()).containsExactly(at(0, 70));
+        assertThat(allocation.paths().get("narrow").points()).hasSize(3);
+    }
+
+    private static BoatPerformance turningIn(double radiusM) {
+        return new BoatPerformance(OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.of(radiusM));
+    }
+
     private Allocation allocated(List<GeoPoint> locations, String... boats) {
         world.happens(
                 engine,

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -221,6 +222,29 @@ class ExploreAreaTest {
 
         assertThat(world.hull("known").speedMps()).isCloseTo(0.75, within(0.1));
         assertThat(world.hull("east").speedMps()).isCloseTo(1.5, within(0.1));
+    }
+
+    @Test
+    void boatWithAWideTurningCircleHasTheShorterShare() {
+        world.addBoat("wide", -60, 20, hull -> hull.performance = turningIn(20));
+        world.addBoat("narrow", 60, 20, hull -> hull.performance = turningIn(0));
+        world.run(1);
+
+        world.happens(engine, asking(7).of("wide", "narrow").effect());
+        world.run(1);
+
+        Map<String, GeoPath> shares = shares();
+        double wideM = trackM(shares.get("wide"));
+        double narrowM = trackM(shares.get("narrow"));
+        assertThat(wideM).isBetween(0.3 * narrowM, 0.85 * narrowM);
+    }
+
+    private static double trackM(GeoPath share) {
+        return Geodesy.lengthM(share.points().get(0), share.points());
+    }
+
+    private static BoatPerformance turningIn(double radiusM) {
+        return new BoatPerformance(OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.of(radiusM));
     }
 
     /** A full battery takes such a boat 200 m at the cruise speed, and 50 m at twice of it. */

@@ -15,6 +15,7 @@ import org.sami.spn.value.GeoPoint;
  * @param home where it returns to, if known
  * @param error how far it may be off its path
  * @param cruiseMps its speed on paths that name none, in m/s
+ * @param turningRadiusM the radius of its narrowest turn, in metres; 0 for one that turns on the spot
  * @param capabilities what it cannot do and what it measures, where it says so
  */
 public record JudgedBoat(
@@ -24,6 +25,7 @@ public record JudgedBoat(
         Optional<GeoPoint> home,
         CrossTrackError error,
         double cruiseMps,
+        double turningRadiusM,
         BoatCapabilities capabilities) {
     public JudgedBoat {
         Objects.requireNonNull(name, "name");

@@ -8,9 +8,11 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.sami.crw.judgement.Judgement.Remark;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.path.Detour;
+import org.sami.crw.service.path.TurningCircle;
 import org.sami.crw.service.reach.Charge;
 import org.sami.crw.service.water.Water;
 import org.sami.spn.value.GeoPoint;
@@ -26,15 +28,16 @@ final class WorkCost {
      * What one boat would drive.
      *
      * @param outM to the end of its way
+     * @param turnsM what it drives in addition where it turns
      * @param homeM from there home; empty where its home is not known
      */
-    private record Leg(JudgedBoat boat, double outM, Optional<Double> homeM) {
+    private record Leg(JudgedBoat boat, double outM, double turnsM, Optional<Double> homeM) {
         double usedPercent() {
             return boat.charge().orElse(Charge.usual(0)).usedPercent(outM);
         }
 
         double seconds() {
-            return outM / boat.cruiseMps();
+            return (outM + turnsM) / boat.cruiseMps();
         }
 
         /** Whether the charge is sure to last for the way; true where the charge is not known. */
@@ -61,13 +64,15 @@ final class WorkCost {
         this.swaps = swaps;
     }
 
-    /** Adds what a boat drives: so far, and to that end. */
-    void add(JudgedBoat boat, double outM, GeoPoint end, Optional<Water> water) {
+    /** Adds what a boat drives: so far, by these points. */
+    void add(JudgedBoat boat, double outM, List<GeoPoint> way, Optional<Water> water) {
+        GeoPoint end = way.get(way.size() - 1);
         Optional<Double> homeM = boat.home().map(home -> {
             Optional<Water> around = water.map(one -> one.leaving(home));
             return Geodesy.lengthM(end, Detour.along(end, List.of(home), around));
         });
-        legs.add(new Leg(boat, outM, homeM));
+        List<GeoPoint> whole = Stream.concat(boat.from().stream(), way.stream()).toList();
+        legs.add(new Leg(boat, outM, boat.turningRadiusM() * TurningCircle.perRadius(whole), homeM));
     }
 
     /** Adds a boat that follows points from where it is; one of which it is not known where it is is left out. */
@@ -75,7 +80,7 @@ final class WorkCost {
         if (boat.from().isPresent() && !points.isEmpty()) {
             GeoPoint from = boat.from().get();
             double outM = Geodesy.lengthM(from, Detour.along(from, points, water));
-            add(boat, outM, points.get(points.size() - 1), water);
+            add(boat, outM, points, water);
         }
     }
 

@@ -111,11 +111,13 @@ final class WorkRemarks {
         Map<String, Double> metres = new LinkedHashMap<>();
         Map<String, GeoPoint> homes = new LinkedHashMap<>();
         Map<String, Double> speedsMps = new LinkedHashMap<>();
+        Map<String, Double> radiiM = new LinkedHashMap<>();
         for (JudgedBoat boat : boats) {
             from.put(boat.name(), boat.from());
             boat.charge().ifPresent(charge -> metres.put(boat.name(), charge.sureM()));
             boat.home().ifPresent(home -> homes.put(boat.name(), home));
             speedsMps.put(boat.name(), boat.cruiseMps());
+            radiiM.put(boat.name(), boat.turningRadiusM());
         }
         Optional<Boolean> keep =
                 values.get("keepHome") instanceof BooleanValue flag ? Optional.of(flag.value()) : Optional.empty();
@@ -130,7 +132,7 @@ final class WorkRemarks {
                 .map(JudgedBoat::error)
                 .reduce(CrossTrackError::atLeast)
                 .orElse(CrossTrackError.NONE);
-        return new CoverageProblem(from, area, spacingM, avoid, within, error, ranges, speedsMps);
+        return new CoverageProblem(from, area, spacingM, avoid, within, error, ranges, speedsMps, radiiM);
     }
 
     private List<Remark> explore(Coverage coverage, double spacingM) {
@@ -143,7 +145,7 @@ final class WorkRemarks {
             JudgedBoat boat = Objects.requireNonNull(named.get(name), name);
             List<GeoPoint> way = share.path().points();
             if (boat.from().isPresent() && !way.isEmpty()) {
-                cost.add(boat, share.approachM() + share.trackM(), way.get(way.size() - 1), water(boat, way));
+                cost.add(boat, share.approachM() + share.trackM(), way, water(boat, way));
                 far(boat, way).ifPresent(remarks::add);
             }
         });
@@ -170,8 +172,9 @@ final class WorkRemarks {
         List<WorkItem> work = new ArrayList<>();
         for (JudgedBoat boat : boats) {
             if (boat.from().isPresent()) {
-                Candidate candidate =
-                        Candidate.at(boat.name(), boat.from().get()).atSpeed(boat.cruiseMps());
+                Candidate candidate = Candidate.at(boat.name(), boat.from().get())
+                        .atSpeed(boat.cruiseMps())
+                        .turningIn(boat.turningRadiusM());
                 candidates.add(boat.charge()
                         .map(charge -> candidate.within(charge.sureM()))
                         .orElse(candidate));

@@ -97,6 +97,7 @@ public final class JudgedAnswers implements DraftJudge {
                 boat.home(),
                 boat.errorOr(services.error()),
                 boat.cruiseSpeedMps(),
+                boat.turningRadiusM(),
                 boat.capabilities());
     }
 }

@@ -28,11 +28,14 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
 import org.sami.crw.proxy.tcp.TcpBase;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
+import org.sami.crw.service.Geodesy;
 import org.sami.crw.session.picture.PictureAccess;
 import org.sami.spn.value.GeoPoint;
 
 /** Boats behind TCP. Knows which address leads to which boat, and who waits for an address to lead to one. */
 final class TcpFleet implements FleetConnector {
+    private static final double SPACING_M = 5; // between simulated boats that are added together, west to east
+
     private final TcpBaseConfig config;
     private final SteadyClock clock;
     private final Optional<SimulatedBoats> simulated;
@@ -82,7 +85,7 @@ final class TcpFleet implements FleetConnector {
         List<String> created = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             String boat = unused(count == 1 ? name : name.strip() + (i + 1));
-            relaunch(boat, start);
+            relaunch(boat, Geodesy.offset(start, i * SPACING_M, 0)); // boats on one spot are in each other's way
             created.add(boat);
         }
         return created;

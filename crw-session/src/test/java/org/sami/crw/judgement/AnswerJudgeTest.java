@@ -42,6 +42,10 @@ class AnswerJudgeTest {
     }
 
     private static JudgedBoat boat(String name, double percent) {
+        return boat(name, percent, 0);
+    }
+
+    private static JudgedBoat boat(String name, double percent, double turningRadiusM) {
         return new JudgedBoat(
                 name,
                 Optional.of(at(300, 500)),
@@ -49,6 +53,7 @@ class AnswerJudgeTest {
                 Optional.of(at(300, 500)),
                 CrossTrackError.NONE,
                 1.5,
+                turningRadiusM,
                 BoatCapabilities.UNKNOWN);
     }
 
@@ -175,6 +180,24 @@ class AnswerJudgeTest {
         assertThat(judged.costs().get(1))
                 .matches("2 boats: \\d\\.\\d km together; the longest way is (anna|bert)'s, "
                         + "\\d\\.\\d km, about \\d+ min, \\d+ % of a full charge");
+    }
+
+    /** A zigzag of 1.5 km turns back 14 times: with a circle of 10 m each turn takes 21 s more at 1.5 m/s. */
+    @Test
+    void timeCountsTheTurnsOfABoatThatDoesNotTurnOnTheSpot() {
+        List<GeoPoint> zigzag = new ArrayList<>();
+        for (int i = 0; i < 15; i++) {
+            zigzag.add(at(i % 2 == 0 ? 400 : 300, 500 + i));
+        }
+        Value option = new MapValue(Map.of(new ProxyValue("anna"), new GeoPath(zigzag)));
+        DraftAnswer draft = new DraftAnswer(Map.of(), List.of(), Optional.of(option));
+        JudgedQuestion question = asks(new Question.ChooseOption(List.of(option)));
+        AnswerJudge judge = new AnswerJudge(CrwServices.STANDARD);
+
+        assertThat(judge.judge(question, List.of(boat("anna", 100)), draft).costs())
+                .containsExactly("anna: 1.5 km, about 17 min, 43 % of a full charge");
+        assertThat(judge.judge(question, List.of(boat("anna", 100, 10)), draft).costs())
+                .containsExactly("anna: 1.5 km, about 21 min, 43 % of a full charge");
     }
 
     @Test

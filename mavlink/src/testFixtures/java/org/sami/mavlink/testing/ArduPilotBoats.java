@@ -23,15 +23,28 @@ public final class ArduPilotBoats implements AutoCloseable {
      * @param work a folder for their parameters and logs
      */
     public ArduPilotBoats(int first, int count, int speed, Path work) throws IOException {
-        this("boat", first, count, speed, work);
+        this("boat", first, count, speed, work, "");
+    }
+
+    /**
+     * Starts boats that differ from the usual ones, as the constructor starts those.
+     *
+     * @param parameters their parameters that differ, each a line of a name and a value
+     */
+    public static ArduPilotBoats with(String parameters, int first, int count, int speed, Path work)
+            throws IOException {
+        Path file = Files.writeString(work.resolve("other.parm"), parameters);
+        return new ArduPilotBoats(
+                "boat", first, count, speed, work, file.toAbsolutePath().toString());
     }
 
     /** Starts copters, as the constructor starts boats. */
     public static ArduPilotBoats copters(int first, int count, int speed, Path work) throws IOException {
-        return new ArduPilotBoats("copter", first, count, speed, work);
+        return new ArduPilotBoats("copter", first, count, speed, work, "");
     }
 
-    private ArduPilotBoats(String kind, int first, int count, int speed, Path work) throws IOException {
+    private ArduPilotBoats(String kind, int first, int count, int speed, Path work, String parameterFile)
+            throws IOException {
         ProcessBuilder builder = new ProcessBuilder(
                         "bash", "run.sh", kind, Integer.toString(count), Integer.toString(speed))
                 .directory(PEERS.toFile())
@@ -39,6 +52,7 @@ public final class ArduPilotBoats implements AutoCloseable {
                 .redirectOutput(new File(work.toFile(), kind + "s.txt"));
         builder.environment().put("FIRST", Integer.toString(first));
         builder.environment().put("WORK", work.toAbsolutePath().toString());
+        builder.environment().put("PARAMS", parameterFile);
         process = builder.start();
     }
 

@@ -216,6 +216,11 @@ public final class SmallBoat implements AutoCloseable {
         return motion.metresTo(latDeg, lonDeg);
     }
 
+    /** How near it ever came to a place, in metres. */
+    public synchronized double nearestM(double latDeg, double lonDeg) {
+        return motion.nearestM(latDeg, lonDeg);
+    }
+
     /** How far it has moved, in metres. */
     public synchronized double movedM() {
         return motion.movedM();

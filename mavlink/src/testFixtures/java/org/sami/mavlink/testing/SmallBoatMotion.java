@@ -28,6 +28,7 @@ final class SmallBoatMotion {
     private double stick;
     private double turn;
     private double movedM;
+    private final List<double[]> track = new ArrayList<>(); // where it was after each move, as lat and lon
 
     SmallBoatMotion(double latDeg, double lonDeg, double times) {
         this.times = times;
@@ -78,6 +79,15 @@ final class SmallBoatMotion {
 
     double metresTo(double latDeg, double lonDeg) {
         return metres(latDeg * 1e7, lonDeg * 1e7);
+    }
+
+    /** How near it ever came to a place, in metres. */
+    double nearestM(double latDeg, double lonDeg) {
+        return track.stream()
+                .mapToDouble(
+                        at -> Math.hypot((latDeg * 1e7 - at[0]) * METRES, (lonDeg * 1e7 - at[1]) * METRES * narrower))
+                .min()
+                .orElse(Double.MAX_VALUE);
     }
 
     private double metres(double toLat, double toLon) {
@@ -131,5 +141,6 @@ final class SmallBoatMotion {
         lat += northM / METRES;
         lon += eastM / (METRES * narrower);
         movedM += Math.hypot(northM, eastM);
+        track.add(new double[] {lat, lon});
     }
 }

@@ -24,7 +24,8 @@ final class FleetOptions {
     @Option(
             names = "--boats",
             paramLabel = "N",
-            description = "How many boats, named boat1, boat2, ...; 1 to 250 (default 3).")
+            description =
+                    "How many simulated boats, named boat1, boat2, ...; 1 to 250 (default 3; with --connect none).")
     private @Nullable Integer boats;
 
     @Option(
@@ -108,7 +109,7 @@ final class FleetOptions {
     /**
      * The fleet of a run.
      *
-     * @param connected how many boats are connected; 0 where the run simulates its own
+     * @param connected how many boats are connected; 0 where the run simulates all
      * @param seed of all that is drawn
      * @param water of boats in this process
      * @param folder that the files of vessels and layers are looked for in
@@ -116,8 +117,9 @@ final class FleetOptions {
      * @throws IllegalArgumentException if options do not go together
      */
     FleetSettings fleet(int connected, long seed, Conditions water, Path folder) {
-        int count = connected > 0 ? connected : Optional.ofNullable(boats).orElse(DEFAULT_BOATS);
-        UsageFault.unlessWithin("--boats", count, 1, FleetSettings.MOST_BOATS);
+        int simulated = Optional.ofNullable(boats).orElse(connected > 0 ? 0 : DEFAULT_BOATS);
+        UsageFault.unlessWithin("--boats", simulated, boats == null ? 0 : 1, FleetSettings.MOST_BOATS - connected);
+        int count = connected + simulated;
         int more = connected == 0 && copters != null ? copters : 0;
         UsageFault.unlessWithin("--copters", more, 0, FleetSettings.MOST_BOATS - count);
         UsageFault.unlessWithin("--locations", locations, 1, FleetSettings.MOST_LOCATIONS);
@@ -189,5 +191,10 @@ final class FleetOptions {
     /** Whether it was given where the boats lie. */
     boolean hasQuay() {
         return quay != null;
+    }
+
+    /** Whether it was given where the area lies. */
+    boolean hasCentre() {
+        return centre != null;
     }
 }

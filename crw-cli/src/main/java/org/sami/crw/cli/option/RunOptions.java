@@ -30,8 +30,9 @@ public final class RunOptions {
     @Option(
             names = "--connect",
             paramLabel = "HOST:PORT,...",
-            description = "Use the boats whose servers listen at these addresses, over TCP and in real time, instead of"
-                    + " simulated ones ('crw boat'). The area lies around them.")
+            description = "Use the boats whose servers listen at these addresses ('crw boat'), or vehicles that speak"
+                + " MAVLink (mavlink:...), in real time and instead of simulated ones; with --boats, beside them. The"
+                + " area lies around them.")
     private @Nullable String connect;
 
     @Option(
@@ -161,11 +162,11 @@ public final class RunOptions {
     public void checkConnected() {
         boolean connected = connect != null || near;
         String option = connect == null ? "--near" : "--connect";
-        if (connected && options.hasBoats()) {
-            throw new UsageFault(
-                    "--boats and " + option + " exclude each other: the boats are those that are connected");
+        if (connected && options.hasBoats() && !options.hasCentre()) {
+            throw new UsageFault("--boats beside " + option
+                    + ": say by --at where the area lies; the simulated boats lie 20 m south of it, or at --quay");
         }
-        if (connected && options.hasQuay()) {
+        if (connected && options.hasQuay() && !options.hasBoats()) {
             throw new UsageFault("with " + option + " the boats lie where they were started: see 'crw boat --help'");
         }
         if (connected && speed != null && !speed.equals(Speed.REAL)) {

@@ -203,6 +203,11 @@ public final class ScenarioOptions {
         return fleet.hasQuay();
     }
 
+    /** Whether it was given where the area lies. */
+    boolean hasCentre() {
+        return fleet.hasCentre();
+    }
+
     /** Whether a script stands in the place of a plan. */
     public boolean hasScript() {
         return script != null;

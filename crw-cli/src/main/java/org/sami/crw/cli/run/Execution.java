@@ -406,12 +406,22 @@ final class Execution {
         if (settings.isConnected()) {
             err.println(fleet.robots().say("boats at ")
                     + settings.connect().stream().map(BoatAddress::toString).collect(Collectors.joining(", ")));
+            tellSimulated(settings);
         } else {
             err.println("centre " + Site.words(fleet.site().centreInProcess())
                     + fleet.robots().say(", quay ")
                     + Site.words(fleet.site().quayInProcess(fleet.areaM())));
         }
         err.flush();
+    }
+
+    private void tellSimulated(RunSettings settings) {
+        if (!settings.simulatedBesides().isEmpty()) {
+            err.println("simulated here: " + String.join(", ", settings.simulatedBesides()) + "; quay "
+                    + Site.words(settings.fleet()
+                            .site()
+                            .quayInProcess(settings.fleet().areaM())));
+        }
     }
 
     private int run(Mission mission, RunRecord record, @Nullable JournalAddress journal) throws IOException {

@@ -80,7 +80,8 @@ record AllocationQuestion(AllocationProblem problem, Map<String, TaskId> tasks, 
                                     begun,
                                     reach.rangeM(boat),
                                     keepWaysHome ? reach.home(boat) : Optional.empty(),
-                                    reach.cruiseMps(boat))),
+                                    reach.cruiseMps(boat),
+                                    reach.turningRadiusM(boat))),
                             () -> unknown.add(boat));
         }
         if (candidates.isEmpty()) {

@@ -38,6 +38,11 @@ public final class BoatReach {
         return boats.find(boat).stream().mapToDouble(BoatProxy::cruiseSpeedMps).findFirst();
     }
 
+    /** The radius of a boat's narrowest turn, in metres; 0 for one that turns on the spot or has not said it. */
+    double turningRadiusM(String boat) {
+        return boats.find(boat).map(BoatProxy::turningRadiusM).orElse(0.0);
+    }
+
     /** What a boat cannot do and what it measures, where it says so. */
     BoatCapabilities capabilities(String boat) {
         return boats.find(boat).map(BoatProxy::capabilities).orElse(BoatCapabilities.UNKNOWN);

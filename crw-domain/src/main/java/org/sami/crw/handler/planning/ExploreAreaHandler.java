@@ -169,6 +169,8 @@ public final class ExploreAreaHandler implements ActivationHandler {
         boats.forEach(boat -> from.put(boat.boat(), positions.positionOf(boat.boat())));
         Map<String, Double> speedsMps = new LinkedHashMap<>();
         from.keySet().forEach(boat -> reach.cruiseMps(boat).ifPresent(mps -> speedsMps.put(boat, mps)));
+        Map<String, Double> radiiM = new LinkedHashMap<>();
+        from.keySet().forEach(boat -> radiiM.put(boat, reach.turningRadiusM(boat)));
         CoverageProblem problem = new CoverageProblem(
                 from,
                 one.area,
@@ -177,7 +179,8 @@ public final class ExploreAreaHandler implements ActivationHandler {
                 Restrictions.within(one.activation),
                 errors.of(List.copyOf(from.keySet())),
                 ranges(boats, one),
-                speedsMps);
+                speedsMps,
+                radiiM);
         underWay.put(one.name(), new ArrayList<>());
         boolean[] begun = new boolean[1];
         try {

@@ -65,6 +65,12 @@ public record AllocationProblem(List<Candidate> boats, List<WorkItem> work, Opti
                 : new AllocationProblem(boats, work, Optional.of(WayLengths.between(points, water)));
     }
 
+    /** The same for boats that turn on the spot. */
+    AllocationProblem turningOnTheSpot() {
+        return new AllocationProblem(
+                boats.stream().map(boat -> boat.turningIn(0)).toList(), work, ways);
+    }
+
     /** Whether a boat offers what some work needs and can get to it. */
     boolean canDo(Candidate boat, WorkItem one) {
         return boat.canDo(one)

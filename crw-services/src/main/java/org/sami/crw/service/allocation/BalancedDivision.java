@@ -8,7 +8,8 @@ import org.sami.crw.service.choice.Merit;
 /**
  * A division whose longest path is short, as that decides when the last boat is done. For few locations the best there is; for more an
  * auction's that {@link RuinAndRecreate} balances, and a local search alone beyond {@link RuinAndRecreate#MOST_WORK} locations. Never worse than the auction.
- * What boats have begun counts.
+ * What boats have begun counts. For boats with turning circles
+ * {@link TurnSearch} comes last.
  */
 public final class BalancedDivision extends AllocationAlgorithm {
     private final SequentialSingleItemAuction auction = new SequentialSingleItemAuction();
@@ -25,6 +26,18 @@ public final class BalancedDivision extends AllocationAlgorithm {
 
     @Override
     List<List<Integer>> shares(AllocationProblem problem, TravelCosts legs) {
+        if (!legs.hasTurns()) {
+            return byLength(problem, legs);
+        }
+        AllocationProblem onTheSpot = problem.turningOnTheSpot();
+        TravelCosts straight = new TravelCosts(onTheSpot);
+        List<List<Integer>> byLength = byLength(onTheSpot, straight);
+        legs.count(straight.measured());
+        return TurnSearch.best(legs, Objective.LONGEST, List.of(byLength, auction.shares(problem, legs)));
+    }
+
+    /** As if all boats turned on the spot. */
+    private List<List<Integer>> byLength(AllocationProblem problem, TravelCosts legs) {
         int works = problem.work().size();
         if (works <= ExactDivision.MOST_WORK) {
             return polished(legs, new ExactDivision(problem, legs, Objective.LONGEST).shares());

@@ -17,6 +17,7 @@ import org.sami.spn.value.GeoPoint;
  * @param rangeM distance for which its charge certainly lasts, in metres; empty where unknown
  * @param home where it returns to, if its charge has to last for the way there too
  * @param speedMps its speed on its paths, in m/s; empty where unknown, as of the fastest boat then
+ * @param turningRadiusM radius of its narrowest turn, in metres; 0 for one that turns on the spot, or of which it is not known
  */
 public record Candidate(
         String boat,
@@ -25,7 +26,8 @@ public record Candidate(
         List<WorkItem> begun,
         OptionalDouble rangeM,
         Optional<GeoPoint> home,
-        OptionalDouble speedMps) {
+        OptionalDouble speedMps,
+        double turningRadiusM) {
     public Candidate {
         Objects.requireNonNull(boat, "boat");
         Objects.requireNonNull(at, "at");
@@ -36,6 +38,21 @@ public record Candidate(
         if (!(speedMps.orElse(1) > 0)) {
             throw new IllegalArgumentException(boat + " drives at more than 0 m/s, not at " + speedMps);
         }
+        if (!(turningRadiusM >= 0 && turningRadiusM < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException(boat + " turns in a circle of 0 m or more, not of " + turningRadiusM);
+        }
+    }
+
+    /** A boat that turns on the spot. */
+    public Candidate(
+            String boat,
+            GeoPoint at,
+            Set<String> offers,
+            List<WorkItem> begun,
+            OptionalDouble rangeM,
+            Optional<GeoPoint> home,
+            OptionalDouble speedMps) {
+        this(boat, at, offers, begun, rangeM, home, speedMps, 0);
     }
 
     /** A boat of whose charge and speed nothing is known. */
@@ -45,17 +62,22 @@ public record Candidate(
 
     /** The same boat with a charge that is sure to take it so far, in metres. */
     public Candidate within(double metres) {
-        return new Candidate(boat, at, offers, begun, OptionalDouble.of(metres), home, speedMps);
+        return new Candidate(boat, at, offers, begun, OptionalDouble.of(metres), home, speedMps, turningRadiusM);
     }
 
     /** The same boat, which is to come home as well. */
     public Candidate returning(GeoPoint to) {
-        return new Candidate(boat, at, offers, begun, rangeM, Optional.of(to), speedMps);
+        return new Candidate(boat, at, offers, begun, rangeM, Optional.of(to), speedMps, turningRadiusM);
     }
 
     /** The same boat at a speed, in m/s. */
     public Candidate atSpeed(double mps) {
-        return new Candidate(boat, at, offers, begun, rangeM, home, OptionalDouble.of(mps));
+        return new Candidate(boat, at, offers, begun, rangeM, home, OptionalDouble.of(mps), turningRadiusM);
+    }
+
+    /** The same boat with a turning circle of a radius, in metres. */
+    public Candidate turningIn(double radiusM) {
+        return new Candidate(boat, at, offers, begun, rangeM, home, speedMps, radiusM);
     }
 
     /** A boat that has begun nothing and offers nothing in particular. */

@@ -20,7 +20,8 @@ import org.sami.spn.value.GeoPoint;
  * @param unallocated the work without a boat
  * @param totalM sum of the lengths of all paths, along the surface, around obstacles
  * @param longestM length of the longest path
- * @param latestM the time after which the last boat is done, as metres of the fastest boat: {@code longestM} where all have the same speed
+ * @param latestM the time after which the last boat is done, as metres of the fastest boat, with what boats drive in addition where they turn: {@code longestM}
+ *     where all have the same speed and turn on the spot
  * @param legsMeasured number of distances computed for it
  * @param method the algorithm's name
  * @param shortfall where the algorithm reached a limit: how it handled the rest, in words
@@ -56,7 +57,7 @@ public record Division(
                     whole.lengthM(boat, path.stream().map(WorkItem::location).toList());
             total += length;
             longest = Math.max(longest, length);
-            latest = Math.max(latest, length * whole.slowness(boat));
+            latest = Math.max(latest, (length + legs.turnsM(b, shares.get(b))) * whole.slowness(boat));
         }
         return new Division(
                 whole, paths, whole.impossible(), total, longest, latest, legs.measured(), method, legs.shortfall());

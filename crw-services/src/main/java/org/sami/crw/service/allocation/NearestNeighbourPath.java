@@ -7,6 +7,8 @@ import java.util.List;
  * A path of a boat through locations, from where the boat is free, built by going to the nearest remaining location (thesis 7.0.3, footnote); among
  * equally near ones, to the one with the lowest index. Locations are added in order of index.
  *
+ * <p>The length of a path has in it what a boat with a turning circle drives in addition where it turns. Which location is nearest does not depend on that.
+ *
  * <p>Adding a location changes nothing before the first stop from which it is nearer than the next one, so only the rest is rebuilt. Lengths are
  * summed from the start, so that they equal those of a path built at once, bit for bit.
  */
@@ -58,12 +60,15 @@ final class NearestNeighbourPath {
         System.arraycopy(lengthTo, 0, candidateLengthTo, 0, at);
         candidateOrder[at] = location;
         System.arraycopy(order, at, candidateOrder, at + 1, size - at);
-        double length = (at == 0 ? legs.begun(boat) : lengthTo[at - 1]) + distanceFrom(order, at, location);
+        double length = (at == 0 ? legs.begun(boat) : lengthTo[at - 1])
+                + distanceFrom(order, at, location)
+                + turnBefore(candidateOrder, at);
         candidateLengthTo[at] = length;
         for (int i = at + 1; i <= size && length < limit; i++) {
             int nearest = nearestFrom(i);
             length += distanceFrom(candidateOrder, i, candidateOrder[nearest]);
             swap(i, nearest);
+            length += turnBefore(candidateOrder, i);
             candidateLengthTo[i] = length;
         }
         return length;
@@ -95,6 +100,13 @@ final class NearestNeighbourPath {
     /** Distance to a location from the stop before a position in an order, or from the start. */
     private double distanceFrom(int[] stops, int position, int location) {
         return legs.leg(boat, position == 0 ? -1 : stops[position - 1], location);
+    }
+
+    /** What the boat drives in addition at the stop before a position, where it turns to the stop there. */
+    private double turnBefore(int[] stops, int position) {
+        return position == 0
+                ? 0
+                : legs.turn(boat, position == 1 ? -1 : stops[position - 2], stops[position - 1], stops[position]);
     }
 
     private void swap(int i, int j) {

@@ -12,7 +12,7 @@ import org.sami.crw.service.choice.Merit;
  * that of the boat named first.
  *
  * <p>A bid is the length of the whole path and not the increase, so boats with long paths lose and the work spreads. Boats of different speeds bid the
- * time that they take for it.
+ * time that they take for it, with the turns of those that do not turn on the spot.
  *
  * <p>Cost: L locations and B boats with k locations each take at most O(L B k²) steps; a bid computes only the part of the path that the location
  * changes, and stops once it has lost. After {@link #LIMIT} distances the auction ends: each remaining location goes to the boat whose path it

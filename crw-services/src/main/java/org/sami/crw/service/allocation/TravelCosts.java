@@ -1,9 +1,11 @@
 package org.sami.crw.service.allocation;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.sami.crw.service.Interruption;
 import org.sami.crw.service.LocalPlane;
+import org.sami.crw.service.path.TurningCircle;
 import org.sami.crw.service.path.WayLengths;
 import org.sami.spn.value.GeoPoint;
 
@@ -22,6 +24,8 @@ final class TravelCosts {
     private final double[] begunM;
     private final double[] rangeM;
     private final double[] slowness;
+    private final double[] radiusM; // of the narrowest turn
+    private final boolean hasTurns;
     private final double[] x;
     private final double[] y;
     private final AllocationProblem problem;
@@ -50,6 +54,8 @@ final class TravelCosts {
                 .mapToDouble(boat -> boat.rangeM().orElse(Double.POSITIVE_INFINITY))
                 .toArray();
         slowness = boats.stream().mapToDouble(problem::slowness).toArray();
+        radiusM = boats.stream().mapToDouble(Candidate::turningRadiusM).toArray();
+        hasTurns = Arrays.stream(radiusM).anyMatch(metres -> metres > 0);
         x = problem.work().stream().mapToDouble(one -> plane.x(one.location())).toArray();
         y = problem.work().stream().mapToDouble(one -> plane.y(one.location())).toArray();
         wayM = problem.ways()
@@ -99,6 +105,44 @@ final class TravelCosts {
     /** The length of a path for which a boat takes a time, which is given as metres of the fastest boat. */
     double lengthM(int boat, double timeM) {
         return timeM / slowness[boat];
+    }
+
+    /** Whether any boat has a turning circle. */
+    boolean hasTurns() {
+        return hasTurns;
+    }
+
+    /**
+     * What a boat drives in addition at a stop of its path, in metres: as if its ways there and on were straight.
+     *
+     * @param from the stop before; below zero where the boat is free
+     */
+    double turn(int boat, int from, int at, int to) {
+        if (radiusM[boat] == 0) {
+            return 0;
+        }
+        count();
+        double fromX = from < 0 ? boatX[boat] : x[from];
+        double fromY = from < 0 ? boatY[boat] : y[from];
+        return radiusM[boat] * TurningCircle.perRadius(fromX, fromY, x[at], y[at], x[to], y[to]);
+    }
+
+    /** What a boat drives in addition at all stops of a path where it turns, in metres. */
+    double turnsM(int boat, List<Integer> path) {
+        double metres = 0;
+        for (int i = 1; i < path.size(); i++) {
+            metres += turn(boat, i == 1 ? -1 : path.get(i - 2), path.get(i - 1), path.get(i));
+        }
+        return metres;
+    }
+
+    /** The length of a boat's path with its turns, in metres. */
+    double lengthWithTurns(int boat, List<Integer> path) {
+        double metres = begunM[boat] + turnsM(boat, path);
+        for (int i = 0; i < path.size(); i++) {
+            metres += leg(boat, i == 0 ? -1 : path.get(i - 1), path.get(i));
+        }
+        return metres;
     }
 
     private void count() {

@@ -23,6 +23,7 @@ import org.sami.spn.value.GeoPoint;
  * @param error how far boats may be off their tracks: tracks keep that distance from no-go areas
  * @param ranges how far the boats' charges last
  * @param speedsMps the boats' speeds on their tracks, in m/s; a boat whose speed is not known is missing, and as fast as the fastest
+ * @param turningRadiiM radii of the boats' narrowest turns, in metres; a boat that turns on the spot, or of which it is not known, is missing
  */
 public record CoverageProblem(
         Map<String, Optional<GeoPoint>> boats,
@@ -32,7 +33,8 @@ public record CoverageProblem(
         Optional<GeoArea> within,
         CrossTrackError error,
         Ranges ranges,
-        Map<String, Double> speedsMps) {
+        Map<String, Double> speedsMps,
+        Map<String, Double> turningRadiiM) {
     /** A boat that has left an area is at least this far from it, in metres. */
     private static final double LEAST_CLEARANCE_M = 0.1;
 
@@ -43,6 +45,7 @@ public record CoverageProblem(
         Objects.requireNonNull(area, "area");
         avoid = List.copyOf(avoid);
         speedsMps = Map.copyOf(speedsMps);
+        turningRadiiM = Map.copyOf(turningRadiiM);
         Objects.requireNonNull(within, "within");
         if (boats.isEmpty()) {
             throw new IllegalArgumentException("There is no boat to cover the area");
@@ -61,7 +64,7 @@ public record CoverageProblem(
             Optional<GeoArea> within,
             CrossTrackError error,
             Ranges ranges) {
-        this(boats, area, spacingM, avoid, within, error, ranges, Map.of());
+        this(boats, area, spacingM, avoid, within, error, ranges, Map.of(), Map.of());
     }
 
     /** An area for boats of which is not known how far they get. */
@@ -92,12 +95,28 @@ public record CoverageProblem(
 
     /** The same for boats that get so far. */
     public CoverageProblem with(Ranges others) {
-        return new CoverageProblem(boats, area, spacingM, avoid, within, error, others, speedsMps);
+        return new CoverageProblem(boats, area, spacingM, avoid, within, error, others, speedsMps, turningRadiiM);
     }
 
     /** The same for boats of these speeds, in m/s. */
     public CoverageProblem at(Map<String, Double> othersMps) {
-        return new CoverageProblem(boats, area, spacingM, avoid, within, error, ranges, othersMps);
+        return new CoverageProblem(boats, area, spacingM, avoid, within, error, ranges, othersMps, turningRadiiM);
+    }
+
+    /** The same for boats with turning circles of these radii, in metres. */
+    public CoverageProblem turningIn(Map<String, Double> radiiM) {
+        return new CoverageProblem(boats, area, spacingM, avoid, within, error, ranges, speedsMps, radiiM);
+    }
+
+    /** The radius of a boat's narrowest turn, in metres. */
+    double turningRadiusM(String boat) {
+        return turningRadiiM.getOrDefault(boat, 0.0);
+    }
+
+    /** Whether pieces of equal length take all boats equally long: they have one speed and one turning circle. */
+    boolean isOfEquals() {
+        return boats.keySet().stream().allMatch(boat -> pace(boat) == 1)
+                && boats.keySet().stream().map(this::turningRadiusM).distinct().count() == 1;
     }
 
     /** A boat's speed as a part of the fastest one's: above 0, up to 1. */
@@ -116,14 +135,14 @@ public record CoverageProblem(
                 boat,
                 position.map(at -> water.outside(
                         at, Math.max(LEAST_CLEARANCE_M, water.error().steeringM())))));
-        return new CoverageProblem(others, area, spacingM, avoid, within, error, ranges, speedsMps);
+        return new CoverageProblem(others, area, spacingM, avoid, within, error, ranges, speedsMps, turningRadiiM);
     }
 
     /** The same for fewer boats. */
     CoverageProblem withBoats(Collection<String> some) {
         Map<String, Optional<GeoPoint>> others = new LinkedHashMap<>(boats);
         others.keySet().retainAll(some);
-        return new CoverageProblem(others, area, spacingM, avoid, within, error, ranges, speedsMps);
+        return new CoverageProblem(others, area, spacingM, avoid, within, error, ranges, speedsMps, turningRadiiM);
     }
 
     /** The same without one boat. */

@@ -7,7 +7,7 @@ import org.sami.crw.service.Interruption;
 
 /**
  * Divides a tour among boats. Each piece, with the ways to it and from it, is at most as long as its boat's charge certainly lasts; within that, all
- * pieces take equally long. Where all charges together do not last for the tour, its end is left out; or, where boats recharge on the way, all exceed
+ * pieces take equally long, turns included. Where all charges together do not last for the tour, its end is left out; or, where boats recharge on the way, all exceed
  * their charges by up to the same amount.
  */
 final class TourDivision {
@@ -20,6 +20,7 @@ final class TourDivision {
     private final TourPlaces tour;
     private final double[] rangeM;
     private final double[] paces;
+    private final double[] radiiM;
     private final boolean recharges;
     private final Ways ways;
     private int measured;
@@ -79,11 +80,13 @@ final class TourDivision {
      *
      * @param rangeM how far each boat's charge is sure to last, in metres; infinite where that is not known
      * @param paces each boat's speed as a part of the fastest one's
+     * @param radiiM the radius of each boat's narrowest turn, in metres; 0 for one that turns on the spot
      */
-    TourDivision(TourPlaces tour, double[] rangeM, double[] paces, boolean recharges, Ways ways) {
+    TourDivision(TourPlaces tour, double[] rangeM, double[] paces, double[] radiiM, boolean recharges, Ways ways) {
         this.tour = tour;
         this.rangeM = rangeM.clone();
         this.paces = paces.clone();
+        this.radiiM = radiiM.clone();
         this.recharges = recharges;
         this.ways = ways;
     }
@@ -121,7 +124,9 @@ final class TourDivision {
     /** The pieces of boats in this order: the shortest limit of time for all with which they reach the tour's end, as metres of the fastest boat. */
     private Cuts cuts(int[] order) {
         double wholeM = tour.lengthM();
-        double mostM = wholeM / Arrays.stream(paces).min().orElse(1);
+        double widestM = Arrays.stream(radiiM).max().orElse(0);
+        double mostM = (wholeM + widestM * tour.turns(0, wholeM))
+                / Arrays.stream(paces).min().orElse(1);
         Cuts most = cuts(order, mostM, 0);
         if (most.endM() >= wholeM - EXACT_M) {
             double limitM = least(0, mostM, limit -> cuts(order, limit, 0).endM() >= wholeM - EXACT_M);
@@ -141,18 +146,30 @@ final class TourDivision {
             double pace = paces[order[piece]];
             double lengthM = lengthM(order[piece], fromM[piece], limitM * pace, beyondM);
             fromM[piece + 1] = fromM[piece] + lengthM;
-            longestM = Math.max(longestM, lengthM / pace);
+            longestM = Math.max(longestM, withTurnsM(order[piece], fromM[piece], lengthM) / pace);
         }
         return new Cuts(order.clone(), fromM, beyondM, longestM);
     }
 
     /** The farther the ends of a piece lie, the longer it is with its ways. */
     private double lengthM(int boat, double fromM, double limitM, double beyondM) {
-        double mostM = Math.min(limitM, tour.lengthM() - fromM);
+        double mostM = beforeLimitM(boat, fromM, limitM);
         double roomM = rangeM[boat] + beyondM;
         return drivenM(boat, fromM, mostM) <= roomM
                 ? mostM
                 : Math.max(0, least(0, mostM, length -> drivenM(boat, fromM, length) > roomM) - EXACT_M);
+    }
+
+    /** How long a piece is that a boat drives, with its turns, within a limit. */
+    private double beforeLimitM(int boat, double fromM, double limitM) {
+        double mostM = Math.min(limitM, tour.lengthM() - fromM);
+        return radiiM[boat] == 0 || withTurnsM(boat, fromM, mostM) <= limitM
+                ? mostM
+                : Math.max(0, least(0, mostM, length -> withTurnsM(boat, fromM, length) > limitM) - EXACT_M);
+    }
+
+    private double withTurnsM(int boat, double fromM, double lengthM) {
+        return radiiM[boat] == 0 ? lengthM : lengthM + radiiM[boat] * tour.turns(fromM, fromM + lengthM);
     }
 
     private double drivenM(int boat, double fromM, double lengthM) {

@@ -4,11 +4,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.locationtech.jts.geom.Coordinate;
+import org.sami.crw.service.path.TurningCircle;
 
 /** The places of a tour by how far along it they lie, in metres. */
 final class TourPlaces {
     private final List<Coordinate> places;
     private final double[] alongM;
+    private final double[] turnsTo; // what turns before each place cost, for each metre of a boat's radius
 
     TourPlaces(List<Coordinate> places) {
         this.places = List.copyOf(places);
@@ -16,6 +18,33 @@ final class TourPlaces {
         for (int i = 1; i < alongM.length; i++) {
             alongM[i] = alongM[i - 1] + places.get(i - 1).distance(places.get(i));
         }
+        turnsTo = new double[places.size() + 1];
+        for (int i = 0; i < alongM.length; i++) {
+            turnsTo[i + 1] = turnsTo[i] + (i == 0 || i + 1 == alongM.length ? 0 : turnAt(i));
+        }
+    }
+
+    private double turnAt(int index) {
+        Coordinate from = places.get(index - 1);
+        Coordinate at = places.get(index);
+        Coordinate to = places.get(index + 1);
+        return TurningCircle.perRadius(from.x, from.y, at.x, at.y, to.x, to.y);
+    }
+
+    /** What a boat drives in addition where the tour turns between two places, for each metre of its radius. */
+    double turns(double fromM, double toM) {
+        return Math.max(0, turnsTo[firstFrom(toM)] - turnsTo[firstBeyond(fromM)]);
+    }
+
+    /** The index of the first place that is so far along. */
+    private int firstFrom(double metres) {
+        int found = Arrays.binarySearch(alongM, metres);
+        return found >= 0 ? found : -found - 1;
+    }
+
+    private int firstBeyond(double metres) {
+        int found = Arrays.binarySearch(alongM, metres);
+        return found >= 0 ? found + 1 : -found - 1;
     }
 
     double lengthM() {

@@ -55,7 +55,7 @@ final class TrackShares {
 
     /**
      * The shares of boats: pieces of equal length, assigned with the least sum of ways to them, each driven from its nearer end; of boats of different
-     * speeds pieces that take equally long. Where a charge does not last for such a piece, pieces are as long as charges allow: with the ways home where
+     * speeds or turning circles pieces that take equally long. Where a charge does not last for such a piece, pieces are as long as charges allow: with the ways home where
      * charges last for the whole track with them, otherwise without.
      *
      * @param noWay receives the boats that cannot reach their piece, with reasons; the others divide the track among themselves
@@ -72,15 +72,15 @@ final class TrackShares {
                     ? Divided.NOTHING
                     : of(problem.without(without.get()), tour, water, noWay);
         }
-        boolean oneSpeed = problem.boats().keySet().stream().allMatch(boat -> problem.pace(boat) == 1);
-        if (oneSpeed && shares.allLast(equal, true)) {
+        boolean areEqual = problem.isOfEquals();
+        if (areEqual && shares.allLast(equal, true)) {
             return new Divided(equal, Optional.empty());
         }
         Optional<Divided> withWaysHome = shares.withWaysHome(pieceOf, equal, noWay);
         if (withWaysHome.isPresent()) {
             return withWaysHome.get();
         }
-        return oneSpeed && shares.allLast(equal, false)
+        return areEqual && shares.allLast(equal, false)
                 ? new Divided(equal, Optional.empty())
                 : shares.asFarAsChargesLast(pieceOf, equal, noWay, false);
     }
@@ -172,8 +172,10 @@ final class TrackShares {
                 detour[boat] * straightM(boat, other) + homeDetour[boat] * straightHomeM(boat, end));
         TourPlaces line = new TourPlaces(tour);
         double[] paces = names.stream().mapToDouble(problem::pace).toArray();
-        TourDivision.Cuts cuts =
-                new TourDivision(line, rangeM, paces, problem.ranges().recharged(), ways).from(inverse(pieceOf));
+        double[] radiiM = names.stream().mapToDouble(problem::turningRadiusM).toArray();
+        TourDivision.Cuts cuts = new TourDivision(
+                        line, rangeM, paces, radiiM, problem.ranges().recharged(), ways)
+                .from(inverse(pieceOf));
         Map<String, CoverageShare> given = new LinkedHashMap<>();
         for (int piece = 0; piece < names.size(); piece++) {
             int boat = cuts.boat(piece);

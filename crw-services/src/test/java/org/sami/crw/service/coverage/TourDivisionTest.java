@@ -34,6 +34,31 @@ class TourDivisionTest {
         assertThat(cuts.endM()).isCloseTo(1090, within(0.1));
     }
 
+    /** Of 18 right angles of the tour each costs 0.57 m for each metre of radius. */
+    @Test
+    void boatWithATurningCircleHasTheShorterPieceAndBothTakeEquallyLong() {
+        double radiusM = 10;
+        TourDivision.Cuts cuts =
+                cuts(new double[] {9e9, 9e9}, new double[] {1, 1}, new double[] {radiusM, 0}, false, 0, 0, 0, 0);
+
+        int wide = pieceOf(0, cuts);
+        double turnsM = radiusM * TOUR.turns(cuts.fromM(wide), cuts.fromM(wide + 1));
+        assertThat(turnsM).isBetween(30.0, 60.0);
+        assertThat(cuts.lengthM(wide) + turnsM).isCloseTo(cuts.lengthM(1 - wide), within(0.5));
+        assertThat(cuts.endM()).isCloseTo(1090, within(0.1));
+    }
+
+    @Test
+    void turnsOfATourAreThoseBetweenTwoPlaces() {
+        double rightAngle = Math.PI / 2 - 1;
+
+        assertThat(TOUR.turns(0, 1090)).isCloseTo(18 * rightAngle, within(1e-9));
+        assertThat(TOUR.turns(0, 100)).isZero();
+        assertThat(TOUR.turns(0, 100.1)).isCloseTo(rightAngle, within(1e-9));
+        assertThat(TOUR.turns(100, 110)).isZero();
+        assertThat(TOUR.turns(50, 220.5)).isCloseTo(4 * rightAngle, within(1e-9));
+    }
+
     @Test
     void aSlowWeakBoatHasWhatItsChargeLastsFor() {
         TourDivision.Cuts cuts =
@@ -106,7 +131,12 @@ class TourDivisionTest {
     }
 
     private static TourDivision.Cuts cuts(double[] ranges, double[] paces, boolean swapped, double... at) {
-        return new TourDivision(TOUR, ranges, paces, swapped, (boat, end, other) -> {
+        return cuts(ranges, paces, new double[ranges.length], swapped, at);
+    }
+
+    private static TourDivision.Cuts cuts(
+            double[] ranges, double[] paces, double[] radiiM, boolean swapped, double... at) {
+        return new TourDivision(TOUR, ranges, paces, radiiM, swapped, (boat, end, other) -> {
                     Coordinate place = new Coordinate(at[2 * boat], at[2 * boat + 1]);
                     return Math.min(place.distance(end), place.distance(other));
                 })

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.LongSupplier;
+import java.util.stream.Stream;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
@@ -19,10 +20,17 @@ final class FleetReadiness {
 
     private final Fleet fleet;
     private final List<BoatAddress> addresses;
+    private final List<String> simulated;
 
-    FleetReadiness(Fleet fleet, List<BoatAddress> addresses) {
+    /**
+     * Waits for nobody yet.
+     *
+     * @param simulated the boats that this process simulates besides, by name
+     */
+    FleetReadiness(Fleet fleet, List<BoatAddress> addresses, List<String> simulated) {
         this.fleet = fleet;
         this.addresses = addresses;
+        this.simulated = simulated;
     }
 
     /**
@@ -59,17 +67,23 @@ final class FleetReadiness {
                 missing.add(boat.map(id -> id + " at " + address + ": ").orElse(address + " ") + obstacle);
             }
         }
+        for (String boat : simulated) {
+            String obstacle = obstacle(boat);
+            if (!obstacle.isEmpty()) {
+                missing.add(boat + ": " + obstacle);
+            }
+        }
         return missing;
     }
 
-    /** The boats that have answered, in the order of their addresses. */
+    /** The boats that have answered, in the order of their addresses, then the simulated ones. */
     List<String> boats() {
         List<LinkReport> links = links();
-        return addresses.stream()
+        Stream<String> connected = addresses.stream()
                 .flatMap(address -> links.stream()
                         .filter(report -> isAt(report.address(), address))
-                        .flatMap(report -> report.boatId().stream()))
-                .toList();
+                        .flatMap(report -> report.boatId().stream()));
+        return Stream.concat(connected, simulated.stream()).toList();
     }
 
     private static boolean isAt(InetSocketAddress known, BoatAddress address) {

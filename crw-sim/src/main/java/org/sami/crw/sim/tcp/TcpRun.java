@@ -18,6 +18,8 @@ import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.fault.FaultPolicy;
 import org.sami.crw.session.picture.SessionPictures;
+import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.crw.sim.resume.ConnectedJournal;
 import org.sami.crw.sim.run.RunHarness;
 import org.sami.crw.sim.run.RunObserver;
@@ -30,7 +32,7 @@ import org.sami.spn.host.HostListener;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * One mission on boats that are other processes, in real time: a client of a session. Three threads: the engine's and the fleet's,
+ * One mission on boats that are other processes, maybe with simulated ones of this process beside them, in real time: a client of a session. Three threads: the engine's and the fleet's,
  * which are the session's, and the caller's, which shows progress and what the operator must know at once. Used once.
  */
 public final class TcpRun {
@@ -101,8 +103,10 @@ public final class TcpRun {
                     .map(RunArea::boats)
                     .or(() -> startedWith)
                     .ifPresent(boats -> boats.forEach(session.fleet()::expect));
-            reachBoatsOfPlans(session);
-            FleetReadiness readiness = new FleetReadiness(session.fleet(), settings.connect());
+            List<String> again = reachBoatsOfPlans(session);
+            launch(session, again);
+            FleetReadiness readiness =
+                    new FleetReadiness(session.fleet(), settings.connect(), settings.simulatedBesides());
             boolean ready = awaitBoats(readiness, startedWith.isPresent());
             Prepared run = known.isPresent()
                     ? known.get()
@@ -144,12 +148,30 @@ public final class TcpRun {
         }
     }
 
-    /** Boats to which plans had connected in an earlier process. Those of the run's own addresses may listen elsewhere by now. */
-    private void reachBoatsOfPlans(Session session) throws IOException {
-        if (journal.resumedFrom().isPresent()) {
-            Set<BoatAddress> own = new HashSet<>(settings.connect());
-            own.addAll(journal.record().settings().connect());
-            session.earlierBoats().reconnect(own);
+    /**
+     * Boats to which plans had connected in an earlier process, and those that it simulated, which are launched again where they were last. Those of
+     * the run's own addresses may listen elsewhere by now. Gives the names of all that the journal knows.
+     */
+    private List<String> reachBoatsOfPlans(Session session) throws IOException {
+        if (journal.resumedFrom().isEmpty()) {
+            return List.of();
+        }
+        Set<BoatAddress> own = new HashSet<>(settings.connect());
+        own.addAll(journal.record().settings().connect());
+        return session.earlierBoats().reconnect(own);
+    }
+
+    /** Launches the simulated boats of this process, each at its berth, without those that are launched already. */
+    private void launch(Session session, List<String> already) {
+        List<String> names = settings.simulatedBesides();
+        List<GeoPoint> berths = settings.fleet().berths(names.size(), SimulatedFleet.SPACING_M);
+        for (int i = 0; i < names.size(); i++) {
+            if (!already.contains(names.get(i))) {
+                session.fleet()
+                        .addSimulated(names.get(i), berths.get(i), 1)
+                        .toCompletableFuture()
+                        .join();
+            }
         }
     }
 
@@ -157,7 +179,10 @@ public final class TcpRun {
         ProxyConfig proxy =
                 ProxyConfig.DEFAULT.withClientId(process.clientId()).withTelemetryHz(SessionDefaults.TELEMETRY_HZ);
         SessionRuntime runtime = new SessionRuntime.RealTime(
-                process.clock(), TcpBaseConfig.of(proxy, settings.fleet().seed()), Optional.empty(), Optional.empty());
+                process.clock(),
+                TcpBaseConfig.of(proxy, settings.fleet().seed()),
+                Optional.empty(),
+                settings.simulatedBesides().isEmpty() ? Optional.empty() : Optional.of(simulated()));
         CrwServices services = CrwServices.STANDARD.drivenWith(
                 settings.fleet().inProcess().conditions().crossTrackError());
         return new SessionSetup(
@@ -168,6 +193,13 @@ public final class TcpRun {
                 runtime,
                 FaultPolicy.ALONE,
                 journal.session().file().isPresent() ? Optional.empty() : pictures);
+    }
+
+    private SimulatedBoatsOnTcp simulated() {
+        return new SimulatedBoatsOnTcp(
+                settings.fleet().seed(),
+                settings.fleet().inProcess().conditions(),
+                settings.fleet().robots());
     }
 
     /**
@@ -219,7 +251,7 @@ public final class TcpRun {
         try {
             List<String> missing = readiness.await(process.clock(), process.connectWithinMillis());
             if (!missing.isEmpty()
-                    && (!underWay || missing.size() == settings.connect().size())) {
+                    && (!underWay || missing.size() == settings.fleet().boats())) {
                 throw new BoatsNotReadyException(missing, process.connectWithinMillis());
             }
             missing.forEach(boat -> lines.accept(boat + "; the mission goes on without it until it is there"));

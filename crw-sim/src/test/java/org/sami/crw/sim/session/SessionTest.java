@@ -22,6 +22,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.service.Geodesy;
 import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionOperator;
@@ -33,6 +34,7 @@ import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.value.GeoPoint;
 
 /** What a window, a console and a run do with a session, on boats that are reached over TCP. */
 @Timeout(900)
@@ -223,6 +225,18 @@ class SessionTest {
         assertThat(TestSession.get(session.fleet().boats()))
                 .map(BoatStatus::boatId)
                 .containsAll(new ArrayList<>(boats));
+        TestSession.until(
+                "both say where they are",
+                session,
+                view -> boats.stream()
+                        .allMatch(boat -> session.fleet().history().boat(boat).isPresent()));
+        assertThat(Geodesy.distanceM(position(session, "sim1"), position(session, "sim2")))
+                .as("they do not lie on one spot")
+                .isBetween(4.0, 6.0);
+    }
+
+    private static GeoPoint position(Session session, String boat) {
+        return session.fleet().history().boat(boat).orElseThrow().report().position();
     }
 
     @Test

@@ -4,11 +4,13 @@ import java.util.List;
 import java.util.Objects;
 import java.util.stream.IntStream;
 import org.sami.crw.fleet.RobotKind;
+import org.sami.crw.service.Geodesy;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.link.Radio;
 import org.sami.crw.sim.vessel.ForeignVessels;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * The robots of a run and what they are sent to.
@@ -142,6 +144,19 @@ public record FleetSettings(
     private String nameOf(int index) {
         int first = boats - copters;
         return kindOf(index).nameOf(robots == RobotKind.ROBOT && index >= first ? index - first : index);
+    }
+
+    /**
+     * Where robots of this process lie at the start: in a line from west to east, whose middle is the quay.
+     *
+     * @param count how many
+     * @param spacingM between two of them, in metres
+     */
+    public List<GeoPoint> berths(int count, double spacingM) {
+        GeoPoint quay = site.quayInProcess(areaM);
+        return IntStream.range(0, count)
+                .mapToObj(i -> Geodesy.offset(quay, (i - (count - 1) / 2.0) * spacingM, 0))
+                .toList();
     }
 
     /** What a robot is, counted from 0. */

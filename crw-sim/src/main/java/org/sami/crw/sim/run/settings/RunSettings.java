@@ -20,7 +20,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
  * @param parameters values for what the plan asks at its start, as they were given, by name
  * @param answerAfterMillis after how long the simulated operator answers, in simulated milliseconds
  * @param answers text of the answers file; empty text where there is none
- * @param connect where the boats' servers listen, as many as the fleet has boats; empty = the boats are in this process
+ * @param connect where the boats' servers listen; the boats that the fleet has besides are simulated in this process. Empty = all are
  * @param interrupts which interrupts are pressed, as they were given ({@link PlanInterrupts}), in order
  * @param also which missions are started in addition to the first, as they were given ({@link PlannedMission#parse}), in order
  */
@@ -56,15 +56,25 @@ public record RunSettings(
             throw new IllegalArgumentException("the operator answers after 0 s or more, not " + answerAfterMillis);
         }
         connect = List.copyOf(connect);
-        if (!connect.isEmpty() && (speed.factor() != 1 || connect.size() != fleet.boats())) {
-            throw new IllegalArgumentException("boats behind TCP run at speed 1, not " + speed + "; " + connect.size()
+        if (!connect.isEmpty()) {
+            requireConnectable(fleet, speed, connect.size());
+        }
+    }
+
+    private static void requireConnectable(FleetSettings fleet, Speed speed, int addresses) {
+        if (speed.factor() != 1 || addresses > fleet.boats()) {
+            throw new IllegalArgumentException("boats behind TCP run at speed 1, not " + speed + "; " + addresses
                     + " addresses for " + fleet.boats() + " boats");
         }
-        if (!connect.isEmpty()) {
-            fleet.inProcess().requireUnset();
-            if (fleet.site().quay().isPresent()) {
-                throw new IllegalArgumentException("boats behind TCP lie where they were started: see crw boat --help");
-            }
+        fleet.inProcess().requireUnset();
+        Site site = fleet.site();
+        if (addresses == fleet.boats() && site.quay().isPresent()) {
+            throw new IllegalArgumentException("boats behind TCP lie where they were started: see crw boat --help");
+        }
+        if (addresses < fleet.boats() && site.centre().isEmpty()) {
+            throw new IllegalArgumentException(
+                    "simulated boats besides boats behind TCP need a place: say by --at where"
+                            + " the area lies, and by --quay where they lie, if not 20 m south of it");
         }
     }
 
@@ -86,15 +96,20 @@ public record RunSettings(
                 .also(also);
     }
 
-    /** The same run on boats behind TCP, in real time. */
+    /** The same run on boats behind TCP, in real time; simulated boats beside them stay. */
     public RunSettings connectedTo(List<BoatAddress> addresses) {
-        return change().fleet(fleet.of(addresses.size()))
+        return change().fleet(fleet.of(addresses.size() + simulatedBesides().size()))
                 .speed(Speed.REAL)
                 .connect(addresses)
                 .build();
     }
 
-    /** Whether the boats are other processes, behind TCP. */
+    /** The names of the boats that are simulated in this process beside those behind TCP; empty where none is behind TCP. */
+    public List<String> simulatedBesides() {
+        return connect.isEmpty() ? List.of() : fleet.boatNames().subList(0, fleet.boats() - connect.size());
+    }
+
+    /** Whether boats are other processes, behind TCP. */
     public boolean isConnected() {
         return !connect.isEmpty();
     }

@@ -2,6 +2,7 @@ package org.sami.crw.sim.run.settings;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.service.Geodesy;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Energy;
 import org.sami.crw.sim.hull.Flow;
@@ -130,6 +132,34 @@ class RunSettingsTest {
         assertThat(connected.fleet().boats()).isEqualTo(2);
         assertThat(connected.isConnected()).isTrue();
         assertThat(FULL.isConnected()).isFalse();
+    }
+
+    @Test
+    void comesBackWithSimulatedBoatsBesideThoseBehindTcp() {
+        FleetSettings three = new FleetSettings(3, 30, 60, 1).at(Site.at(GeoPoint.of(45.7, 10.72)));
+        RunSettings mixed = RunSettings.of("visit", "visit", three)
+                .speed(Speed.REAL)
+                .connect(BoatAddress.parseAll("quay:5002"))
+                .build();
+
+        assertThat(mixed.simulatedBesides()).containsExactly("boat1", "boat2");
+        assertThat(SettingsMap.read(SettingsMap.write(mixed))).isEqualTo(mixed);
+        RunSettings elsewhere = mixed.connectedTo(BoatAddress.parseAll("quay:5003"));
+        assertThat(elsewhere.simulatedBesides()).containsExactly("boat1", "boat2");
+        assertThat(FULL.simulatedBesides()).isEmpty();
+        assertThatThrownBy(() -> mixed.withFleet(mixed.fleet().at(Site.USUAL))).hasMessageContaining("need a place");
+    }
+
+    @Test
+    void boatsOfThisProcessLieInALineWithTheQuayInTheMiddle() {
+        FleetSettings fleet = new FleetSettings(3, 30, 60, 1).at(Site.at(GeoPoint.of(45.7, 10.72)));
+        GeoPoint quay = fleet.site().quayInProcess(60);
+
+        List<GeoPoint> berths = fleet.berths(2, 5);
+
+        assertThat(Geodesy.distanceM(quay, GeoPoint.of(45.7, 10.72))).isCloseTo(50, within(0.1));
+        assertThat(Geodesy.distanceM(berths.get(0), berths.get(1))).isCloseTo(5, within(0.01));
+        assertThat(berths.get(0).lonDeg()).isLessThan(quay.lonDeg());
     }
 
     @Test
