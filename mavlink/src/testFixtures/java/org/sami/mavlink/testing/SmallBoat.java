@@ -55,6 +55,8 @@ public final class SmallBoat implements AutoCloseable {
     private static final int AUTOPILOT = 1;
     private static final long STEP_MS = 50;
     private static final int BEAT_EVERY = 4; // steps
+    private static final int POSITION_EVERY = 5; // steps, where it reports as seldom as a base asks for
+    private static final int REST_EVERY = 20;
     private static final int LOCATED = 16;
     private static final int SET_MODE = 176;
     private static final int CHANGE_SPEED = 178;
@@ -110,6 +112,7 @@ public final class SmallBoat implements AutoCloseable {
     private int filter = LOCATED;
     private int refusedMode = -1;
     private boolean ignoresSpeeds;
+    private boolean seldom;
     private double sail; // m/s, said in place of its speed
     private String refusal = "";
     private int charge = 87;
@@ -270,6 +273,11 @@ public final class SmallBoat implements AutoCloseable {
     /** Sends a message of the library, whatever it says. */
     public synchronized void sends(Object payload) {
         send(payload);
+    }
+
+    /** Reports no more often than a base asks for, from now on: where it is four times a second, all else once. */
+    public synchronized void reportSeldom() {
+        seldom = true;
     }
 
     /** Sends no heartbeats from now on, or again. */
@@ -455,7 +463,12 @@ public final class SmallBoat implements AutoCloseable {
             motion.step(mode, mission, STEP_MS / 1000.0)
                     .forEach(item -> send(MissionItemReached.builder().seq(item).build()));
         }
-        if (stepped++ % BEAT_EVERY == 0) {
+        long step = stepped++;
+        if (seldom && step % REST_EVERY != 0) {
+            if (placed && step % POSITION_EVERY == 0) {
+                sayWhere();
+            }
+        } else if (step % (seldom ? REST_EVERY : BEAT_EVERY) == 0) {
             report();
         }
     }
