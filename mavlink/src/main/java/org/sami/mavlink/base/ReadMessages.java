@@ -1,5 +1,6 @@
 package org.sami.mavlink.base;
 
+import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
 import io.dronefleet.mavlink.ardupilotmega.WaterDepth;
@@ -39,6 +40,7 @@ final class ReadMessages {
             WaterDepth.class,
             DistanceSensor.class,
             Rangefinder.class,
+            CameraFeedback.class,
             CommandAck.class,
             MissionCurrent.class,
             MissionItemReached.class,

@@ -23,15 +23,27 @@ public final class ArduPilotBoats implements AutoCloseable {
      * @param work a folder for their parameters and logs
      */
     public ArduPilotBoats(int first, int count, int speed, Path work) throws IOException {
-        this("boat", first, count, speed, work);
+        this("boat", first, count, speed, work, "");
     }
 
     /** Starts copters, as the constructor starts boats. */
     public static ArduPilotBoats copters(int first, int count, int speed, Path work) throws IOException {
-        return new ArduPilotBoats("copter", first, count, speed, work);
+        return new ArduPilotBoats("copter", first, count, speed, work, "");
     }
 
-    private ArduPilotBoats(String kind, int first, int count, int speed, Path work) throws IOException {
+    /**
+     * Starts one boat or copter with parameters of its owner.
+     *
+     * @param kind {@code boat} or {@code copter}
+     * @param parameters a file with a name and a value in each line
+     */
+    public static ArduPilotBoats of(String kind, int number, int speed, Path work, Path parameters) throws IOException {
+        return new ArduPilotBoats(
+                kind, number, 1, speed, work, parameters.toAbsolutePath().toString());
+    }
+
+    private ArduPilotBoats(String kind, int first, int count, int speed, Path work, String parameters)
+            throws IOException {
         ProcessBuilder builder = new ProcessBuilder(
                         "bash", "run.sh", kind, Integer.toString(count), Integer.toString(speed))
                 .directory(PEERS.toFile())
@@ -39,6 +51,7 @@ public final class ArduPilotBoats implements AutoCloseable {
                 .redirectOutput(new File(work.toFile(), kind + "s.txt"));
         builder.environment().put("FIRST", Integer.toString(first));
         builder.environment().put("WORK", work.toAbsolutePath().toString());
+        builder.environment().put("PARAMS", parameters);
         process = builder.start();
     }
 

@@ -48,7 +48,7 @@ final class VehicleBenchmark {
 
     List<Figure> run() throws Exception {
         Path home = Files.createTempDirectory("vehicles");
-        System.setProperty("user.home", home.toString()); // what is kept of each vehicle is no user's
+        System.setProperty("sami.vehicles", home.toString()); // what is kept of each vehicle is no user's
         try (SmallBoatProcess fleet = new SmallBoatProcess(boats);
                 CountingBase base = new CountingBase()) {
             base.connect(fleet.addresses());
