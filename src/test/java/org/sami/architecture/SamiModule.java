@@ -161,7 +161,7 @@ enum SamiModule {
                     SPN_CORE,
                     SPN_LANGUAGE)),
     /** Vehicles of other makers: links, what they report, what they hold. No boats of ours, no plans. */
-    MAVLINK("mavlink", 118, List.of("org.sami.mavlink.."), List.of()),
+    MAVLINK("mavlink", 126, List.of("org.sami.mavlink.."), List.of()),
     /** Our boats in ground stations of other makers: a client of the boat's server that speaks MAVLink for it. */
     BOAT_MAVLINK("boat-mavlink", 13, List.of("org.sami.boat.mavlink.."), List.of(MAVLINK, BOAT_SERVER, BOAT_LINK)),
     /** Vehicles of other makers as boats of a base: speaks the boat link for them. */

@@ -23,7 +23,6 @@ import org.sami.boat.link.SetVelocityMultiplier;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
-import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.mavlink.base.MavlinkBase;
@@ -214,11 +213,6 @@ final class AutopilotCommands {
             broadcast.accept(settings());
         } else if (command instanceof SetLostLinkAction set) {
             settings.setLostLink(set.action(), ended);
-        } else if (command instanceof TakePanorama) {
-            answer.accept(new Nack(
-                    command.commandId(),
-                    NackReason.NO_CAMERA,
-                    "a boat with an autopilot cannot turn on the spot for pictures all round"));
         } else {
             answer.accept(new Nack(
                     command.commandId(),

@@ -20,6 +20,7 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.gateway.BoatGateway;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.mavlink.address.AddressText;
+import org.sami.mavlink.base.BaseThread;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.base.MavlinkBaseOptions;
 import org.sami.mavlink.link.LinkSigning;
@@ -41,6 +42,7 @@ public final class MavlinkGateway implements BoatGateway {
     private final Optional<LinkSigning> signing;
     private final ScheduledExecutorService thread;
     private final Future<?> ticks;
+    private final BaseThread bases = new BaseThread(); // of all links
     private final Map<String, VehicleLink> links = new HashMap<>(); // by address; this and the next for the thread
     private SessionFence fence = SessionFence.NONE;
     private boolean closed;
@@ -95,7 +97,7 @@ public final class MavlinkGateway implements BoatGateway {
 
     private VehicleLink open(String host) {
         MavlinkBaseOptions options = new MavlinkBaseOptions(Optional.empty(), signing);
-        MavlinkBase base = new MavlinkBase(List.of(AddressText.parse(host)), nowMs, options);
+        MavlinkBase base = new MavlinkBase(List.of(AddressText.parse(host)), nowMs, options, bases);
         return new VehicleLink(host, base, executor(), nowMs, files, fence);
     }
 
@@ -147,6 +149,7 @@ public final class MavlinkGateway implements BoatGateway {
             closed = true;
             links.values().forEach(VehicleLink::close);
             links.clear();
+            bases.close();
         });
         thread.shutdown();
     }

@@ -5,6 +5,7 @@ import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.boat.link.BatteryReport;
@@ -14,6 +15,7 @@ import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.SettingsReport;
+import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Traffic;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.vehicle.TextSeverity;
@@ -32,15 +34,6 @@ final class VehicleBoat implements BaseSession.Boat {
     private static final long BATTERY_MS = 10_000;
     private static final double STILL_MPS = 0.1;
 
-    /** What {@link AutopilotCommands} refuses, each with the reason. */
-    private static final Map<String, String> CANNOT = Map.of(
-            BoatCapabilities.PANORAMA, "a boat with an autopilot cannot turn on the spot",
-            BoatCapabilities.GAINS, "its gains are parameters of its autopilot");
-
-    private static final Map<String, String> COPTERS_CANNOT = Map.of(
-            BoatCapabilities.PANORAMA, "a copter with an autopilot takes no pictures that the base can fetch",
-            BoatCapabilities.GAINS, "its gains are parameters of its autopilot");
-
     private final String name;
     private final boolean flies;
     private final AutopilotCommands orders;
@@ -48,6 +41,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehiclePerformance performance;
     private final VehicleFence fence;
     private final VehicleAvoidance avoidance;
+    private final VehicleCamera camera;
     private final VehicleFiles files;
     private final VehicleSensors sensors = new VehicleSensors();
     private final OtherHands others = new OtherHands();
@@ -73,6 +67,7 @@ final class VehicleBoat implements BaseSession.Boat {
         fence = new VehicleFence(
                 base, first.id(), flies, thread, this::alarm, files.fences(name), given -> keepFences(files, given));
         avoidance = new VehicleAvoidance(base, first.id(), thread, this::alarm);
+        camera = new VehicleCamera(base, first.id(), thread, this::broadcast, this::reportSettings);
         orders = new AutopilotCommands(
                 name,
                 base,
@@ -133,10 +128,17 @@ final class VehicleBoat implements BaseSession.Boat {
             keep(progress);
         }
         LinkMessage whole = message instanceof SettingsReport report
-                ? report.with(performance.now())
-                        .with(new BoatCapabilities(flies ? COPTERS_CANNOT : CANNOT, sensors.channels()))
+                ? report.with(performance.now()).with(new BoatCapabilities(cannot(), sensors.channels()))
                 : message;
         session.filter(BaseSession::isGreeted).ifPresent(told -> told.say(whole));
+    }
+
+    /** What it always refuses, each with the reason. */
+    private Map<String, String> cannot() {
+        Map<String, String> cannot = new TreeMap<>();
+        cannot.put(BoatCapabilities.GAINS, "its gains are parameters of its autopilot");
+        camera.missing().ifPresent(why -> cannot.put(BoatCapabilities.PANORAMA, why));
+        return cannot;
     }
 
     private void reportSettings() {
@@ -203,6 +205,7 @@ final class VehicleBoat implements BaseSession.Boat {
         if (event instanceof VehicleEvent.Restarted) {
             settings.read();
             performance.read();
+            camera.read();
             fence.restarted();
             orders.restarted();
             session.ifPresent(told -> {
@@ -223,6 +226,9 @@ final class VehicleBoat implements BaseSession.Boat {
                         }
                         broadcast(report);
                     });
+        } else if (event instanceof VehicleEvent.PictureTaken picture) {
+            broadcast(VehicleReports.picture(picture, Math.max(0, atMs)));
+            camera.taken(picture);
         } else {
             orders.happened(event);
         }
@@ -230,6 +236,7 @@ final class VehicleBoat implements BaseSession.Boat {
 
     void tick(long atMs) {
         orders.tick(atMs);
+        camera.tick(atMs);
         fence.tick(atMs, session.filter(BaseSession::isCommanded).isPresent());
         if (session.filter(BaseSession::isGreeted).isEmpty()) {
             return;
@@ -294,7 +301,11 @@ final class VehicleBoat implements BaseSession.Boat {
 
     @Override
     public void execute(CommandMessage command, String clientId, Consumer<LinkMessage> answer) {
-        orders.execute(command, clientId, answer);
+        if (command instanceof TakePanorama panorama) {
+            camera.take(panorama, answer);
+        } else {
+            orders.execute(command, clientId, answer);
+        }
     }
 
     @Override
@@ -313,6 +324,7 @@ final class VehicleBoat implements BaseSession.Boat {
         broadcast(orders.settings());
         Progress progress = orders.progress();
         broadcast(progress);
+        camera.read();
         if (!flies) { // copters are not steered around others
             avoidance.read();
         }

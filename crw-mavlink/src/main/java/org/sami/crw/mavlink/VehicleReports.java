@@ -11,6 +11,7 @@ import org.sami.boat.link.Motion;
 import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.Telemetry;
 import org.sami.mavlink.vehicle.VehicleBattery;
+import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehiclePosition;
 import org.sami.mavlink.vehicle.VehicleReading;
@@ -91,5 +92,17 @@ final class VehicleReports {
                         at.latDeg(),
                         at.lonDeg(),
                         nowMs));
+    }
+
+    /** The number of a picture, where it was taken. */
+    static SensorReport picture(VehicleEvent.PictureTaken picture, long nowMs) {
+        return new SensorReport(
+                "camera",
+                "picture",
+                java.util.List.of((double) picture.number()),
+                "",
+                picture.latDeg(),
+                picture.lonDeg(),
+                nowMs);
     }
 }

@@ -66,7 +66,8 @@ class MavlinkPageTest {
             Map.entry("lost-link", id -> new SetLostLinkAction(id, LostLinkAction.RETURN)),
             Map.entry("gains", id -> new SetGains(id, GainAxis.HEADING, new Gains(1, 0, 0))),
             Map.entry("ways-home", id -> new SetWaysHome(id, "list", List.of())),
-            Map.entry("panorama", id -> new TakePanorama(id, 8)));
+            Map.entry("panorama", id -> new TakePanorama(id, 8)),
+            Map.entry("panorama with a camera", id -> new TakePanorama(id, 8)));
 
     @TempDir
     private Path folder;
@@ -92,9 +93,14 @@ class MavlinkPageTest {
                         row.group(1) + row.group(2), () -> walk(row.group(1) + row.group(2), row.group(3))));
     }
 
+    private static String address(SmallBoat boat, String message) {
+        boat.parameter("CAM1_TYPE", message.endsWith("with a camera") ? 1 : 0);
+        return boat.address() + "/5";
+    }
+
     private void walk(String message, String then) throws Exception {
         try (SmallBoat boat = new SmallBoat(5, 45.7, 10.72, 1);
-                LinkClient client = new LinkClient(folder.resolve(message.replace(' ', '-')), boat.address() + "/5")) {
+                LinkClient client = new LinkClient(folder.resolve(message.replace(' ', '-')), address(boat, message))) {
             assertThat(client.ask(new UploadWaypoints("u", "list", LIST))).isInstanceOf(Ack.class);
             int mode = boat.mode();
             boolean armed = boat.isArmed();

@@ -1,7 +1,5 @@
 package org.sami.mavlink.base;
 
-import io.dronefleet.mavlink.Mavlink2Message;
-import io.dronefleet.mavlink.MavlinkMessage;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavState;
@@ -16,12 +14,9 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
-import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.Semaphore;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
@@ -37,6 +32,7 @@ import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.link.LinkEnd;
 import org.sami.mavlink.link.MavlinkLink;
 import org.sami.mavlink.link.MavlinkLinkReport;
+import org.sami.mavlink.link.ReceivedMessage;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.MessageOrigin;
@@ -50,15 +46,17 @@ import org.sami.mavlink.vehicle.VehicleTable;
  * report, reads what they hold, and gives them the commands that it is given. One thread owns its state; any thread may call it.
  */
 public final class MavlinkBase implements AutoCloseable {
-    private static final long HEARTBEAT_MS = 1_000;
-    private static final long TICK_MS = 100;
+    private static final long HEARTBEAT_TICKS = 10; // a second
     private static final long ITEM_MS = 20; // what an autopilot needs for an item of a list
     private static final int UNHANDLED = 2_000; // messages that may wait; a link that brings more waits itself
 
     private final LongSupplier nowMs;
     private final List<MavlinkLink> links;
-    private final ScheduledExecutorService owner;
-    private final List<ScheduledFuture<?>> repeated;
+    private final BaseThread thread;
+    private final boolean hasOwnThread;
+    private final Executor owner;
+    private final Runnable everyTick = this::tick;
+    private long ticks;
     private final Semaphore room = new Semaphore(UNHANDLED);
     private final VehicleTable table = new VehicleTable();
     private final MessageAsking asking;
@@ -79,24 +77,37 @@ public final class MavlinkBase implements AutoCloseable {
      * @param nowMs a clock of milliseconds that only goes on
      */
     public MavlinkBase(List<MavlinkAddress> addresses, LongSupplier nowMs, MavlinkBaseOptions options) {
+        this(addresses, nowMs, options, new BaseThread(), true);
+    }
+
+    /** The same on a thread that serves several bases, and does not end with this one. */
+    public MavlinkBase(
+            List<MavlinkAddress> addresses, LongSupplier nowMs, MavlinkBaseOptions options, BaseThread shared) {
+        this(addresses, nowMs, options, shared, false);
+    }
+
+    private MavlinkBase(
+            List<MavlinkAddress> addresses,
+            LongSupplier nowMs,
+            MavlinkBaseOptions options,
+            BaseThread thread,
+            boolean hasOwnThread) {
         this.nowMs = Objects.requireNonNull(nowMs, "nowMs");
         this.options = Objects.requireNonNull(options, "options");
+        this.thread = thread;
+        this.hasOwnThread = hasOwnThread;
+        owner = thread.executor();
         asking = new MessageAsking(table, options.signing().isPresent());
-        ScheduledThreadPoolExecutor executor = new ScheduledThreadPoolExecutor(1, work -> {
-            Thread thread = new Thread(work, "mavlink base");
-            thread.setDaemon(true);
-            return thread;
-        });
-        executor.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
-        owner = executor;
         List<MavlinkAddress> each = addresses.stream().distinct().toList();
         links = IntStream.range(0, each.size())
-                .mapToObj(i -> new MavlinkLink(each.get(i), this::received, LinkEnd.ground(i, options.signing())))
+                .mapToObj(i -> new MavlinkLink(
+                        each.get(i),
+                        this::received,
+                        LinkEnd.ground(i, options.signing()),
+                        ReadMessages.KINDS::contains))
                 .toList();
         links.forEach(MavlinkLink::start);
-        repeated = List.of(
-                owner.scheduleAtFixedRate(this::beat, 0, HEARTBEAT_MS, TimeUnit.MILLISECONDS),
-                owner.scheduleAtFixedRate(this::tick, TICK_MS, TICK_MS, TimeUnit.MILLISECONDS));
+        thread.begin(everyTick);
     }
 
     /** What is known of each link, in the order of the addresses. */
@@ -273,32 +284,32 @@ public final class MavlinkBase implements AutoCloseable {
     }
 
     /** On a link's thread: waits where too much is not handled yet, so that the sender is slowed and memory is not filled. */
-    private void received(MavlinkAddress from, MavlinkMessage<?> message) {
-        room.acquireUninterruptibly();
+    private void received(MavlinkAddress from, List<ReceivedMessage> messages) {
+        room.acquireUninterruptibly(messages.size());
         try {
             owner.execute(() -> {
-                room.release();
-                handle(from, message);
+                room.release(messages.size());
+                messages.forEach(message -> handle(from, message));
             });
         } catch (RejectedExecutionException closed) {
-            room.release();
+            room.release(messages.size());
         }
     }
 
-    private void handle(MavlinkAddress from, MavlinkMessage<?> message) {
+    private void handle(MavlinkAddress from, ReceivedMessage message) {
         long now = nowMs.getAsLong();
-        VehicleId id = new VehicleId(message.getOriginSystemId(), message.getOriginComponentId());
+        VehicleId id = new VehicleId(message.system(), message.component());
         List<VehicleEvent> events = table.heard(
-                new MessageOrigin(from, id.system(), id.component(), message.getSequence()), message.getPayload(), now);
+                new MessageOrigin(from, id.system(), id.component(), message.number()), message.payload(), now);
         for (VehicleEvent event : events) {
             if (event instanceof VehicleEvent.Appeared || event instanceof VehicleEvent.Restarted) {
                 asking.renew(id, now);
             }
         }
-        if (message instanceof Mavlink2Message<?> second && second.isSigned()) { // rightly, or the link had refused it
+        if (message.signed()) { // rightly, or the link had refused it
             Optional.ofNullable(keys.get(id)).ifPresent(KeyGiving::signed);
         }
-        Optional.ofNullable(exchanges.get(id)).ifPresent(open -> open.take(message.getPayload(), events, now));
+        Optional.ofNullable(exchanges.get(id)).ifPresent(open -> open.take(message.payload(), events, now));
         events.forEach(event -> listeners.forEach(listener -> listener.accept(event)));
     }
 
@@ -313,6 +324,9 @@ public final class MavlinkBase implements AutoCloseable {
     }
 
     private void tick() {
+        if (ticks++ % HEARTBEAT_TICKS == 0) {
+            beat();
+        }
         long now = nowMs.getAsLong();
         exchanges.values().forEach(open -> open.tick(now));
         keys.values().removeIf(giving -> giving.tick(now));
@@ -325,7 +339,7 @@ public final class MavlinkBase implements AutoCloseable {
                 exchanges.values().stream().anyMatch(open -> open.lists().isBusy());
         if (isAny && !movesLists) {
             movesLists = true;
-            var unused = owner.schedule(this::tickLists, ITEM_MS, TimeUnit.MILLISECONDS);
+            thread.later(this::tickLists, ITEM_MS);
         }
     }
 
@@ -362,10 +376,12 @@ public final class MavlinkBase implements AutoCloseable {
     /** Closes all links; what was asked and not answered fails. */
     @Override
     public void close() {
-        repeated.forEach(each -> each.cancel(false));
+        thread.end(everyTick);
         links.forEach(MavlinkLink::close);
         CompletableFuture.runAsync(() -> exchanges.values().forEach(VehicleExchanges::close), owner)
                 .join();
-        owner.shutdown();
+        if (hasOwnThread) {
+            thread.close();
+        }
     }
 }

@@ -22,6 +22,7 @@ final class MessageAsking {
     private final boolean signed;
     private final Map<VehicleId, Asked> asked = new HashMap<>();
     private final Map<MavlinkAddress, Long> changedMs = new HashMap<>();
+    private final Map<MavlinkAddress, MessagePlan> plans = new HashMap<>();
 
     /** What a vehicle was asked for, where and when. */
     private record Asked(MavlinkAddress link, MessagePlan plan, long atMs) {}
@@ -42,15 +43,20 @@ final class MessageAsking {
         int vehicles = (int) table.ids().stream()
                 .filter(id -> table.linkOf(id).equals(Optional.of(link)))
                 .count();
-        return MessagePlan.of(link, vehicles, signed);
+        MessagePlan known = plans.get(link);
+        if (known == null || known.vehicles() != vehicles) {
+            known = MessagePlan.of(link, vehicles, signed);
+            plans.put(link, known);
+        }
+        return known;
     }
 
     /** Sends the requests of the present plan to the vehicles that have not had them. */
     void tick(long nowMs, BiConsumer<VehicleId, MessagePlan> ask) {
-        Map<MavlinkAddress, MessagePlan> plans = new HashMap<>();
+        Map<MavlinkAddress, MessagePlan> present = new HashMap<>();
         for (VehicleId vehicle : List.copyOf(table.ids())) {
             table.linkOf(vehicle).ifPresent(link -> {
-                MessagePlan plan = plans.computeIfAbsent(link, this::plan);
+                MessagePlan plan = present.computeIfAbsent(link, this::plan);
                 Asked before = asked.get(vehicle);
                 boolean settled = !plan.isTight() || nowMs >= changedMs.getOrDefault(link, nowMs) + SETTLED_MS;
                 boolean other = before == null

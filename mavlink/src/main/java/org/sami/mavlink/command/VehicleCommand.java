@@ -23,6 +23,8 @@ public record VehicleCommand(
     private static final int ARM_DISARM = 400;
     private static final int MESSAGE_INTERVAL = 511;
     private static final int REBOOT = 246;
+    private static final int TAKE_PICTURES = 2_000;
+    private static final int TRIGGER_CAMERA = 203;
     private static final double CUSTOM_MODE = 1;
     private static final double CHANGE_MODE = 1;
     private static final double GROUND_SPEED = 1;
@@ -110,6 +112,16 @@ public record VehicleCommand(
     public static VehicleCommand sendEvery(int message, double seconds) {
         double us = seconds < 0 ? -1 : seconds * US;
         return made(MESSAGE_INTERVAL, "send message " + message, false, message, us);
+    }
+
+    /** Takes one picture with the first camera (IMAGE_START_CAPTURE). Without a camera ArduPilot refuses. */
+    public static VehicleCommand takePicture() {
+        return made(TAKE_PICTURES, "take a picture", false, 0, 0, 1);
+    }
+
+    /** Triggers the camera once (DO_DIGICAM_CONTROL), as firmwares know it that have no {@link #takePicture}. ArduPilot accepts it without a camera, too. */
+    public static VehicleCommand triggerCamera() {
+        return made(TRIGGER_CAMERA, "take a picture", false, 0, 0, 0, 0, 1);
     }
 
     /** Starts the autopilot again; it refuses while it is armed. */

@@ -1,8 +1,6 @@
 package org.sami.mavlink.link;
 
-import io.dronefleet.mavlink.Mavlink2Message;
-import io.dronefleet.mavlink.MavlinkMessage;
-import io.dronefleet.mavlink.common.RadioStatus;
+import io.dronefleet.mavlink.protocol.MavlinkPacket;
 import java.time.Instant;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -21,6 +19,7 @@ import java.util.function.Supplier;
  */
 public final class LinkSigning {
     private static final long A_MINUTE = 6_000_000; // of signatures' time
+    private static final int RADIO_STATUS = 109; // the number of these messages
 
     private final SigningKey key;
     private final Unsigned unsigned;
@@ -63,19 +62,24 @@ public final class LinkSigning {
         return clock.next();
     }
 
-    /** Why a message is refused; empty where it is taken. A radio's own report, which radios cannot sign, is taken: nothing but strengths is read from it. */
-    Optional<SignatureFault> fault(MavlinkMessage<?> message) {
-        if (!(message instanceof Mavlink2Message<?> second) || !second.isSigned()) {
-            return message.getPayload() instanceof RadioStatus || takesUnsigned(message.getOriginSystemId())
+    /** Why a packet is refused; empty where it is taken. A radio's own report, which radios cannot sign, is taken: nothing but strengths is read from it. */
+    Optional<SignatureFault> fault(MavlinkPacket packet) {
+        if (!isSigned(packet)) {
+            return packet.getMessageId() == RADIO_STATUS || takesUnsigned(packet.getSystemId())
                     ? Optional.empty()
                     : Optional.of(SignatureFault.UNSIGNED);
         }
-        if (!second.validateSignature(key.secret())) {
+        if (!packet.validateSignature(key.secret())) {
             return Optional.of(SignatureFault.WRONG);
         }
         return faultOfTime(
-                new Stream(second.getSignatureLinkId(), second.getOriginSystemId(), second.getOriginComponentId()),
-                second.getSignatureTimestamp());
+                new Stream(packet.getSignatureLinkId(), packet.getSystemId(), packet.getComponentId()),
+                packet.getSignatureTimestamp());
+    }
+
+    /** Whether a packet has a signature, right or wrong. */
+    static boolean isSigned(MavlinkPacket packet) {
+        return packet.isMavlink2() && packet.isSigned();
     }
 
     private synchronized boolean takesUnsigned(int system) {

@@ -1,12 +1,13 @@
 package org.sami.mavlink.link;
 
-import io.dronefleet.mavlink.Mavlink2Message;
 import io.dronefleet.mavlink.MavlinkConnection;
-import io.dronefleet.mavlink.MavlinkMessage;
-import io.dronefleet.mavlink.ardupilotmega.ArdupilotmegaDialect;
 import io.dronefleet.mavlink.common.RadioStatus;
+import io.dronefleet.mavlink.protocol.MavlinkPacket;
 import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -14,6 +15,7 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import org.sami.mavlink.address.MavlinkAddress;
 
 /**
@@ -31,11 +33,15 @@ public final class MavlinkLink implements AutoCloseable {
     private static final long LONGEST_WAIT_MS = 5_000;
     private static final int UNSENT = 500;
     private static final int NOT_KNOWN = 255; // of a radio's strength
+    private static final int TOGETHER = 100; // messages that are handed over at once, at most
+    private static final int UNREAD_TOGETHER =
+            10; // messages that nobody reads wait for so many, or for one that is read
     private static final long STRANGE_BYTES = 600; // two of the longest messages: by then one should have been read
 
     private final MavlinkAddress address;
     private final MavlinkLinkListener listener;
     private final LinkEnd end;
+    private final Predicate<Class<?>> isRead;
     private final CountDownLatch closing = new CountDownLatch(1);
     private final BlockingQueue<Object> outgoing = new ArrayBlockingQueue<>(UNSENT);
     private final Thread reader;
@@ -52,16 +58,16 @@ public final class MavlinkLink implements AutoCloseable {
     private boolean secondVersion;
 
     /** An open way with its codec. */
-    private record Connected(LinkStreams streams, CountedStream in, MavlinkConnection codec) {}
+    private record Connected(LinkStreams streams, MessageReader in, MavlinkConnection codec) {}
 
-    /** A link of a ground station that signs nothing, not begun yet. */
-    public MavlinkLink(MavlinkAddress address, MavlinkLinkListener listener) {
-        this(address, listener, LinkEnd.ground());
-    }
-
-    /** A link that is not begun yet. */
-    public MavlinkLink(MavlinkAddress address, MavlinkLinkListener listener, LinkEnd end) {
+    /**
+     * A link that is not begun yet.
+     *
+     * @param isRead of which of the library's classes messages are read; of others the listener only hears that they came
+     */
+    public MavlinkLink(MavlinkAddress address, MavlinkLinkListener listener, LinkEnd end, Predicate<Class<?>> isRead) {
         this.end = Objects.requireNonNull(end, "end");
+        this.isRead = Objects.requireNonNull(isRead, "isRead");
         this.address = Objects.requireNonNull(address, "address");
         this.listener = Objects.requireNonNull(listener, "listener");
         reader = new Thread(this::run, "mavlink " + address);
@@ -174,24 +180,42 @@ public final class MavlinkLink implements AutoCloseable {
 
     /** Reads until the link ends; why it ended. */
     private String read(LinkStreams streams) {
-        CountedStream in = new CountedStream(streams.in());
-        MavlinkConnection codec = MavlinkConnection.builder(in, streams.out())
-                .defaultDialect(new ArdupilotmegaDialect())
-                .build();
+        MessageReader in = new MessageReader(streams.in(), kind -> kind == RadioStatus.class || isRead.test(kind));
+        MavlinkConnection codec = MavlinkConnection.builder(InputStream.nullInputStream(), streams.out())
+                .build(); // writes
         opened(new Connected(streams, in, codec));
+        List<ReceivedMessage> taken = new ArrayList<>();
         try {
             while (true) {
-                MavlinkMessage<?> message = codec.next();
-                if (message == null) {
-                    return "the other end closed it";
-                }
-                if (isTaken(message)) {
-                    listener.onMessage(address, message);
+                boolean news = false; // something that is read
+                do {
+                    MavlinkPacket packet = in.next();
+                    if (isTaken(packet)) {
+                        ReceivedMessage message = message(packet, in.message(packet));
+                        taken.add(message);
+                        news |= message.payload() != ReceivedMessage.UNREAD;
+                    }
+                } while (in.hasNext() && taken.size() < TOGETHER);
+                if (news || taken.size() >= UNREAD_TOGETHER) {
+                    listener.onMessages(address, List.copyOf(taken));
+                    taken.clear();
                 }
             }
         } catch (IOException e) {
             return "it broke: " + Objects.requireNonNullElse(e.getMessage(), e.toString());
         }
+    }
+
+    private ReceivedMessage message(MavlinkPacket packet, Object payload) {
+        if (payload instanceof RadioStatus radio) {
+            strengths(radio);
+        }
+        return new ReceivedMessage(
+                packet.getSystemId(),
+                packet.getComponentId(),
+                packet.getSequence(),
+                LinkSigning.isSigned(packet),
+                payload);
     }
 
     private synchronized void opened(Connected now) {
@@ -204,23 +228,20 @@ public final class MavlinkLink implements AutoCloseable {
     }
 
     /** Counts a message; whether it is one to be read. */
-    private synchronized boolean isTaken(MavlinkMessage<?> message) {
-        Optional<SignatureFault> wrong = end.signing().flatMap(signing -> signing.fault(message));
+    private synchronized boolean isTaken(MavlinkPacket packet) {
+        Optional<SignatureFault> wrong = end.signing().flatMap(signing -> signing.fault(packet));
         wrong.ifPresent(why -> refused.merge(why, 1L, Long::sum));
         if (wrong.isEmpty()) {
-            counted(message);
+            count.came(packet.getSystemId(), packet.getComponentId(), packet.getSequence());
+            secondVersion |= packet.isMavlink2();
+            firstVersionOnly = !secondVersion;
         }
         return wrong.isEmpty();
     }
 
-    private void counted(MavlinkMessage<?> message) {
-        count.came(message.getOriginSystemId(), message.getOriginComponentId(), message.getSequence());
-        secondVersion |= message instanceof Mavlink2Message;
-        firstVersionOnly = !secondVersion;
-        if (message.getPayload() instanceof RadioStatus radio) {
-            rssi = strength(radio.rssi());
-            remoteRssi = strength(radio.remrssi());
-        }
+    private synchronized void strengths(RadioStatus radio) {
+        rssi = strength(radio.rssi());
+        remoteRssi = strength(radio.remrssi());
     }
 
     private static Optional<Integer> strength(int value) {

@@ -1,10 +1,10 @@
 package org.sami.mavlink.link;
 
-import io.dronefleet.mavlink.MavlinkMessage;
+import java.util.List;
 import org.sami.mavlink.address.MavlinkAddress;
 
 /** Receives what comes on a link, on the link's reading thread. What it throws ends the link's thread: it must not throw. */
 public interface MavlinkLinkListener {
-    /** A message came on the link of an address. */
-    void onMessage(MavlinkAddress from, MavlinkMessage<?> message);
+    /** Messages came on the link of an address, in this order; one or more. */
+    void onMessages(MavlinkAddress from, List<ReceivedMessage> messages);
 }

@@ -1,6 +1,5 @@
 package org.sami.mavlink.onboard;
 
-import io.dronefleet.mavlink.MavlinkMessage;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
@@ -11,6 +10,7 @@ import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.link.LinkEnd;
 import org.sami.mavlink.link.MavlinkLink;
 import org.sami.mavlink.link.MavlinkLinkReport;
+import org.sami.mavlink.link.ReceivedMessage;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.TextSeverity;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -52,8 +52,9 @@ public final class OnboardLink implements AutoCloseable {
         this.nowMs = nowMs;
         link = new MavlinkLink(
                 address,
-                (from, message) -> received(message),
-                new LinkEnd(system, OnboardVehicle.AUTOPILOT, 0, Optional.empty()));
+                (from, messages) -> messages.forEach(this::received),
+                new LinkEnd(system, OnboardVehicle.AUTOPILOT, 0, Optional.empty()),
+                kind -> true);
         vehicle = new OnboardVehicle(name, system, capacity, host, link::send);
     }
 
@@ -72,15 +73,15 @@ public final class OnboardLink implements AutoCloseable {
         link.start();
     }
 
-    private void received(MavlinkMessage<?> message) {
+    private void received(ReceivedMessage message) {
         if (!room.tryAcquire()) {
             return;
         }
-        VehicleId station = new VehicleId(message.getOriginSystemId(), message.getOriginComponentId());
+        VehicleId station = new VehicleId(message.system(), message.component());
         try {
             owner.execute(() -> {
                 room.release();
-                vehicle.take(station, message.getPayload(), nowMs.getAsLong());
+                vehicle.take(station, message.payload(), nowMs.getAsLong());
             });
         } catch (RejectedExecutionException ended) {
             room.release();

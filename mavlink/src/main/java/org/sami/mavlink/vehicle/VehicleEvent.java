@@ -26,6 +26,15 @@ public sealed interface VehicleEvent {
     /** A sensor has a value. */
     record Measured(VehicleId vehicle, VehicleReading reading) implements VehicleEvent {}
 
+    /**
+     * Its camera was triggered, whoever asked for it.
+     *
+     * @param number of the picture, since the autopilot's start
+     * @param latDeg where, WGS 84 degrees
+     * @param lonDeg likewise
+     */
+    record PictureTaken(VehicleId vehicle, int number, double latDeg, double lonDeg) implements VehicleEvent {}
+
     /** Its autopilot has started again: what is known of its lists and parameters may not hold any more. */
     record Restarted(VehicleId vehicle) implements VehicleEvent {}
 }

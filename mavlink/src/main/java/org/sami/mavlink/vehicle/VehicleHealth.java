@@ -2,7 +2,9 @@ package org.sami.mavlink.vehicle;
 
 import io.dronefleet.mavlink.common.MavSysStatusSensor;
 import io.dronefleet.mavlink.common.SysStatus;
+import io.dronefleet.mavlink.util.EnumValue;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
@@ -17,6 +19,18 @@ import java.util.Locale;
 public record VehicleHealth(boolean mayArm, boolean failsafe, boolean outsideFence, List<String> failing) {
     private static final String PREFIX = "MAV_SYS_STATUS_";
     private static final String SENSOR = "SENSOR_";
+    private static final int CHECKS = bit(MavSysStatusSensor.MAV_SYS_STATUS_PREARM_CHECK);
+    private static final List<Part> PARTS = Arrays.stream(MavSysStatusSensor.values())
+            .map(part -> new Part(bit(part), name(part)))
+            .filter(part -> part.bit != CHECKS)
+            .toList();
+
+    /** A part that may fail. */
+    private record Part(int bit, String name) {}
+
+    private static int bit(MavSysStatusSensor part) {
+        return EnumValue.of(part).value();
+    }
 
     /** What is wrong. */
     public VehicleHealth {
@@ -28,17 +42,16 @@ public record VehicleHealth(boolean mayArm, boolean failsafe, boolean outsideFen
     }
 
     VehicleHealth with(SysStatus status) {
-        List<String> broken = new ArrayList<>();
-        boolean ready = false;
-        for (MavSysStatusSensor part : MavSysStatusSensor.values()) {
-            boolean well = status.onboardControlSensorsHealth().flagsEnabled(part);
-            if (part == MavSysStatusSensor.MAV_SYS_STATUS_PREARM_CHECK) {
-                ready = well;
-            } else if (status.onboardControlSensorsEnabled().flagsEnabled(part) && !well) {
-                broken.add(name(part));
-            }
-        }
-        return new VehicleHealth(ready, failsafe, outsideFence, broken);
+        int working = status.onboardControlSensorsHealth().value();
+        int broken = status.onboardControlSensorsEnabled().value() & ~working;
+        return new VehicleHealth(
+                (working & CHECKS) != 0,
+                failsafe,
+                outsideFence,
+                PARTS.stream()
+                        .filter(part -> (broken & part.bit) != 0)
+                        .map(Part::name)
+                        .toList());
     }
 
     private static String name(MavSysStatusSensor part) {

@@ -1,5 +1,6 @@
 package org.sami.mavlink.vehicle;
 
+import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.common.FenceStatus;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
@@ -97,10 +98,21 @@ final class VehicleRecord {
             events.add(new VehicleEvent.ItemReached(id, reached.seq()));
         } else if (payload instanceof Statustext text) {
             parts.take(text, nowMs).forEach(whole -> said(whole, events));
+        } else if (payload instanceof CameraFeedback picture) {
+            taken(picture).ifPresent(events::add);
         } else {
             VehicleReadings.of(payload).forEach(reading -> events.add(new VehicleEvent.Measured(id, reading)));
         }
         return events;
+    }
+
+    /** A picture at its own place, or where it has none (0, 0) at the vehicle's; none where neither is known. */
+    private Optional<VehicleEvent> taken(CameraFeedback picture) {
+        if (picture.lat() == 0 && picture.lng() == 0) {
+            return position.map(at -> new VehicleEvent.PictureTaken(id, picture.imgIdx(), at.latDeg(), at.lonDeg()));
+        }
+        return Optional.of(
+                new VehicleEvent.PictureTaken(id, picture.imgIdx(), picture.lat() * DEGREES, picture.lng() * DEGREES));
     }
 
     private void current(MissionCurrent current, List<VehicleEvent> events) {

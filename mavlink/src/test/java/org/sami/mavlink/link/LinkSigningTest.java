@@ -4,10 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.dronefleet.mavlink.MavlinkConnection;
-import io.dronefleet.mavlink.MavlinkMessage;
-import io.dronefleet.mavlink.ardupilotmega.ArdupilotmegaDialect;
 import io.dronefleet.mavlink.common.MissionCurrent;
 import io.dronefleet.mavlink.common.RadioStatus;
+import io.dronefleet.mavlink.protocol.MavlinkPacket;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -45,15 +44,12 @@ class LinkSigningTest {
         return bytes.toByteArray();
     }
 
-    private static MavlinkMessage<?> message(byte[] bytes) throws IOException {
-        return MavlinkConnection.builder(new ByteArrayInputStream(bytes), new ByteArrayOutputStream())
-                .defaultDialect(new ArdupilotmegaDialect())
-                .build()
-                .next();
+    private static MavlinkPacket packet(byte[] bytes) throws IOException {
+        return new MessageReader(new ByteArrayInputStream(bytes), kind -> false).next();
     }
 
     private Optional<SignatureFault> fault(byte[] bytes) throws IOException {
-        return base.fault(message(bytes));
+        return base.fault(packet(bytes));
     }
 
     @Test
@@ -94,22 +90,22 @@ class LinkSigningTest {
     void whileKeysAreGivenUnsignedMessagesAreTaken() throws Exception {
         LinkSigning giving = new LinkSigning(OURS, () -> now, LinkSigning.Unsigned.TAKEN);
 
-        assertThat(giving.fault(message(unsigned(MissionCurrent.builder().seq(3).build()))))
+        assertThat(giving.fault(packet(unsigned(MissionCurrent.builder().seq(3).build()))))
                 .isEmpty();
-        assertThat(giving.fault(message(signed(THEIRS, 0, NOW)))).contains(SignatureFault.WRONG);
+        assertThat(giving.fault(packet(signed(THEIRS, 0, NOW)))).contains(SignatureFault.WRONG);
     }
 
     @Test
     void vehicleThatHasSignedIsNotTakenWithoutASignatureAnyLonger() throws Exception {
         LinkSigning fleet = new LinkSigning(OURS, () -> now, LinkSigning.Unsigned.TAKEN_UNTIL_SIGNED);
         byte[] unsigned = unsigned(MissionCurrent.builder().seq(3).build());
-        assertThat(fleet.fault(message(unsigned))).isEmpty();
-        assertThat(fleet.fault(message(signed(THEIRS, 0, NOW)))).contains(SignatureFault.WRONG);
-        assertThat(fleet.fault(message(unsigned))).isEmpty();
+        assertThat(fleet.fault(packet(unsigned))).isEmpty();
+        assertThat(fleet.fault(packet(signed(THEIRS, 0, NOW)))).contains(SignatureFault.WRONG);
+        assertThat(fleet.fault(packet(unsigned))).isEmpty();
 
-        assertThat(fleet.fault(message(signed(OURS, 0, NOW)))).isEmpty();
+        assertThat(fleet.fault(packet(signed(OURS, 0, NOW)))).isEmpty();
 
-        assertThat(fleet.fault(message(unsigned))).contains(SignatureFault.UNSIGNED);
+        assertThat(fleet.fault(packet(unsigned))).contains(SignatureFault.UNSIGNED);
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.sami.mavlink.vehicle;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.common.FenceStatus;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
@@ -317,5 +318,25 @@ class VehicleTableTest {
         heard(FenceStatus.builder().breachStatus(1).build());
 
         assertThat(only().health()).isEqualTo(new VehicleHealth(true, true, true, List.of("gps")));
+    }
+
+    @Test
+    void pictureHasItsOwnPlaceOrElseTheVehicles() {
+        heard(beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 4));
+        assertThat(pictures(4, 0, 0)).isEmpty(); // nowhere
+        heard(GlobalPositionInt.builder().lat(450_000_000).lon(100_000_000).build());
+
+        VehicleId one = new VehicleId(1, 1);
+        assertThat(pictures(5, 450_000_010, 100_000_000))
+                .containsExactly(new VehicleEvent.PictureTaken(one, 5, 450_000_010 * 1e-7, 100_000_000 * 1e-7));
+        assertThat(pictures(6, 0, 0))
+                .containsExactly(new VehicleEvent.PictureTaken(one, 6, 450_000_000 * 1e-7, 100_000_000 * 1e-7));
+    }
+
+    private List<VehicleEvent> pictures(int number, int lat, int lng) {
+        return table.heard(
+                new MessageOrigin(CABLE, 1, 1, 0),
+                CameraFeedback.builder().imgIdx(number).lat(lat).lng(lng).build(),
+                1_000);
     }
 }

@@ -43,7 +43,18 @@ public final class ArduPilotBoats implements AutoCloseable {
         return new ArduPilotBoats("copter", first, count, speed, work, "");
     }
 
-    private ArduPilotBoats(String kind, int first, int count, int speed, Path work, String parameterFile)
+    /**
+     * Starts one boat or copter with parameters of its owner.
+     *
+     * @param kind {@code boat} or {@code copter}
+     * @param parameters a file with a name and a value in each line
+     */
+    public static ArduPilotBoats of(String kind, int number, int speed, Path work, Path parameters) throws IOException {
+        return new ArduPilotBoats(
+                kind, number, 1, speed, work, parameters.toAbsolutePath().toString());
+    }
+
+    private ArduPilotBoats(String kind, int first, int count, int speed, Path work, String parameters)
             throws IOException {
         ProcessBuilder builder = new ProcessBuilder(
                         "bash", "run.sh", kind, Integer.toString(count), Integer.toString(speed))
@@ -52,7 +63,7 @@ public final class ArduPilotBoats implements AutoCloseable {
                 .redirectOutput(new File(work.toFile(), kind + "s.txt"));
         builder.environment().put("FIRST", Integer.toString(first));
         builder.environment().put("WORK", work.toAbsolutePath().toString());
-        builder.environment().put("PARAMS", parameterFile);
+        builder.environment().put("PARAMS", parameters);
         process = builder.start();
     }
 

@@ -1,5 +1,6 @@
 package org.sami.mavlink.testing;
 
+import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.common.CommandAck;
 import io.dronefleet.mavlink.common.CommandInt;
@@ -32,6 +33,7 @@ import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.io.IOException;
+import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -55,6 +57,8 @@ public final class SmallBoat implements AutoCloseable {
     private static final int AUTOPILOT = 1;
     private static final long STEP_MS = 50;
     private static final int BEAT_EVERY = 4; // steps
+    private static final int POSITION_EVERY = 5; // steps, where it reports as seldom as a base asks for
+    private static final int REST_EVERY = 20;
     private static final int LOCATED = 16;
     private static final int SET_MODE = 176;
     private static final int CHANGE_SPEED = 178;
@@ -62,6 +66,8 @@ public final class SmallBoat implements AutoCloseable {
     private static final int SET_CURRENT = 224;
     private static final int ARM = 400;
     private static final int SEND_EVERY = 511;
+    private static final int TAKE_PICTURES = 2000;
+    private static final String CAMERA = "CAM1_TYPE";
     private static final int FENCE_CORNERS = 84;
     private static final VehicleId STATION = new VehicleId(255, 190);
     private static final int POSITION = 33; // the number of its message
@@ -75,27 +81,18 @@ public final class SmallBoat implements AutoCloseable {
         made.setDaemon(true);
         return made;
     });
-    private final Map<String, Float> parameters = new HashMap<>(Map.of(
-            "STAT_BOOTCNT",
-            41f,
-            "FS_GCS_ENABLE",
-            0f,
-            "FS_ACTION",
-            2f,
-            "WP_SPEED",
-            1.5f,
-            "CRUISE_SPEED",
-            2f,
-            "TURN_RADIUS",
-            0.5f,
-            "WP_RADIUS",
-            2f,
-            "FENCE_ENABLE",
-            0f,
-            "FENCE_TYPE",
-            6f,
-            "FENCE_ACTION",
-            1f));
+    private final Map<String, Float> parameters = new HashMap<>(Map.ofEntries(
+            Map.entry("STAT_BOOTCNT", 41f),
+            Map.entry("FS_GCS_ENABLE", 0f),
+            Map.entry("FS_ACTION", 2f),
+            Map.entry("WP_SPEED", 1.5f),
+            Map.entry("CRUISE_SPEED", 2f),
+            Map.entry("TURN_RADIUS", 0.5f),
+            Map.entry("WP_RADIUS", 2f),
+            Map.entry("FENCE_ENABLE", 0f),
+            Map.entry("FENCE_TYPE", 6f),
+            Map.entry("FENCE_ACTION", 1f),
+            Map.entry(CAMERA, 0f)));
     private final OnboardLists fence = new OnboardLists(FENCE_CORNERS, 0, new FenceKeeper(), this::send);
     private int fences; // that were sent to it
     private int refusedCorner = -1;
@@ -110,12 +107,14 @@ public final class SmallBoat implements AutoCloseable {
     private int filter = LOCATED;
     private int refusedMode = -1;
     private boolean ignoresSpeeds;
+    private boolean seldom;
     private double sail; // m/s, said in place of its speed
     private String refusal = "";
     private int charge = 87;
     private long bootMs = 60_000;
     private long stepped;
     private int armings;
+    private int pictures;
     private final List<Integer> orderedModes = new ArrayList<>();
     private final List<Double> courses = new ArrayList<>();
 
@@ -277,6 +276,11 @@ public final class SmallBoat implements AutoCloseable {
         send(payload);
     }
 
+    /** Reports no more often than a base asks for, from now on: where it is four times a second, all else once. */
+    public synchronized void reportSeldom() {
+        seldom = true;
+    }
+
     /** Sends no heartbeats from now on, or again. */
     public synchronized void beating(boolean now) {
         beating = now;
@@ -429,11 +433,27 @@ public final class SmallBoat implements AutoCloseable {
             case SET_CURRENT -> mission.setCurrent((int) first);
             case SEND_EVERY -> placed |= (int) first == POSITION;
             case CHANGE_SPEED -> motion.speed(second);
+            case TAKE_PICTURES -> {
+                return takePicture();
+            }
             default -> {
                 // it reports what it reports
             }
         }
         return true;
+    }
+
+    private boolean takePicture() {
+        boolean hasCamera = parameters.get(CAMERA) > 0;
+        if (hasCamera && !faults.isCameraJammed()) {
+            send(CameraFeedback.builder()
+                    .timeUsec(BigInteger.ZERO)
+                    .imgIdx(++pictures)
+                    .lat(motion.lat())
+                    .lng(motion.lon())
+                    .build());
+        }
+        return hasCamera;
     }
 
     private void ack(int command, boolean accepted) {
@@ -460,7 +480,12 @@ public final class SmallBoat implements AutoCloseable {
             motion.step(mode, mission, STEP_MS / 1000.0)
                     .forEach(item -> send(MissionItemReached.builder().seq(item).build()));
         }
-        if (stepped++ % BEAT_EVERY == 0) {
+        long step = stepped++;
+        if (seldom && step % REST_EVERY != 0) {
+            if (placed && step % POSITION_EVERY == 0) {
+                sayWhere();
+            }
+        } else if (step % (seldom ? REST_EVERY : BEAT_EVERY) == 0) {
             report();
         }
     }

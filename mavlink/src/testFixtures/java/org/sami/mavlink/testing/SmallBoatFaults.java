@@ -8,6 +8,7 @@ public final class SmallBoatFaults {
     private boolean frozen;
     private boolean deaf;
     private boolean ignoresMissions;
+    private boolean cameraJammed;
 
     SmallBoatFaults() {}
 
@@ -75,5 +76,14 @@ public final class SmallBoatFaults {
 
     synchronized boolean isIgnoringMissions() {
         return ignoresMissions;
+    }
+
+    /** Its camera takes no picture from now on, though the order for one is accepted; or takes them again. */
+    public synchronized void jamCamera(boolean now) {
+        cameraJammed = now;
+    }
+
+    synchronized boolean isCameraJammed() {
+        return cameraJammed;
     }
 }

@@ -73,7 +73,9 @@ public final class SmallCopter implements AutoCloseable {
             "FENCE_TYPE",
             7f,
             "FENCE_ACTION",
-            1f));
+            1f,
+            "CAM1_TYPE",
+            0f));
     private final OnboardLists fence = new OnboardLists(FENCE_CORNERS, 0, new FenceKeeper(), this::send);
     private final ScheduledExecutorService steps = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread made = new Thread(work, "small copter moves");

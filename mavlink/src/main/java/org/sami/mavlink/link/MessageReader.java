@@ -1,0 +1,78 @@
+package org.sami.mavlink.link;
+
+import io.dronefleet.mavlink.protocol.MavlinkPacket;
+import io.dronefleet.mavlink.protocol.MavlinkPacketReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.sami.mavlink.format.MessageFormat;
+import org.sami.mavlink.format.MessageFormats;
+
+/**
+ * Reads packets of known kinds with right checksums from bytes, whatever else is among them, and the messages in those of some kinds. Used by one thread, but
+ * for {@link #bytes}.
+ */
+public final class MessageReader {
+    private final ReadAhead in;
+    private final MavlinkPacketReader packets;
+    private final Predicate<Class<?>> isRead;
+    private final Map<Integer, Kind> kinds = new HashMap<>(); // that came, by their numbers
+
+    /** A kind of messages, and whether they are read. */
+    private record Kind(MessageFormat format, boolean isRead) {}
+
+    /**
+     * A reader.
+     *
+     * @param isRead of which of the library's classes messages are read; of others only the packets
+     */
+    public MessageReader(InputStream from, Predicate<Class<?>> isRead) {
+        in = new ReadAhead(from);
+        packets = new MavlinkPacketReader(in);
+        this.isRead = isRead;
+    }
+
+    /** How many bytes came so far. For any thread. */
+    long bytes() {
+        return in.bytes();
+    }
+
+    /** Whether the next packet is there already, so that {@link #next} does not wait for it. */
+    boolean hasNext() {
+        return in.holdsPacket();
+    }
+
+    /**
+     * Waits for the next packet.
+     *
+     * @throws java.io.EOFException if there is none any more
+     */
+    public MavlinkPacket next() throws IOException {
+        while (true) {
+            MavlinkPacket packet = packets.next();
+            Optional<Kind> kind = kind(packet.getMessageId());
+            if (kind.isPresent() && packet.validateCrc(kind.get().format.checksumExtra())) {
+                return packet;
+            }
+            packets.drop(); // goes on with its second byte: a packet may begin within it
+        }
+    }
+
+    private Optional<Kind> kind(int number) {
+        Optional<Kind> known = Optional.ofNullable(kinds.get(number));
+        if (known.isEmpty()) {
+            known = MessageFormats.of(number).map(format -> new Kind(format, isRead.test(format.kind())));
+            known.ifPresent(kind -> kinds.put(number, kind));
+        }
+        return known;
+    }
+
+    /** The message of a packet that {@link #next} returned, or {@link ReceivedMessage#UNREAD}. */
+    public Object message(MavlinkPacket packet) {
+        Kind kind = kind(packet.getMessageId()).orElseThrow();
+        return kind.isRead ? kind.format.read(packet.getPayload()) : ReceivedMessage.UNREAD;
+    }
+}
