@@ -104,7 +104,7 @@ final class Awaiting {
     private static boolean standsInAnother(Token token, SentActivation sent, TransitionState t) {
         for (CompiledPlace place : t.transition.inPlaces) {
             PlaceState here = t.mission.places[place.index];
-            if (here != null && here != sent.visit.place && here.find(token) != null) {
+            if (here != null && here != sent.visit.place && here.has(token)) {
                 return true;
             }
         }

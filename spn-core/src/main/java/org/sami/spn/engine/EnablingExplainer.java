@@ -151,7 +151,7 @@ final class EnablingExplainer {
                 continue;
             }
             for (PlacedToken e : here.inOrder()) {
-                if (e.kind != PlacedToken.GENERIC && !silent.contains(e.token) && !hasReported(t, e.token)) {
+                if (e.kind() != PlacedToken.GENERIC && !silent.contains(e.token) && !hasReported(t, e.token)) {
                     silent.add(e.token);
                 }
             }

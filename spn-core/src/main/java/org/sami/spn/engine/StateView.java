@@ -16,7 +16,6 @@ import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.OpenDecision;
 import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
-import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.RunningTimer;
 import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TaskState;
@@ -84,11 +83,7 @@ final class StateView implements EngineView {
         for (MissionState m : state.missions.values()) {
             effects.add(MissionStart.started(m));
             for (Visit v = m.firstVisit(); v != null; v = v.next) {
-                List<Token> tokens = new ArrayList<>(v.live);
-                for (PlacedToken e = v.first; e != null; e = e.nextOfVisit) {
-                    tokens.add(e.token);
-                }
-                effects.add(new Effect.Entered(m.id, v.place.place.id(), v.id, tokens));
+                effects.add(new Effect.Entered(m.id, v.place.place.id(), v.id, v.left()));
             }
         }
         return effects;

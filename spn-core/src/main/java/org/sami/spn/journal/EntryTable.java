@@ -4,40 +4,49 @@ import java.sql.Connection;
 import java.sql.PreparedStatement;
 import java.sql.SQLException;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Writes entries into a file: many a statement, because a statement's own cost is several times that of a row (docs/decisions 0030).
+ * Writes entries into a file: many a statement, because a statement's own cost is that of several rows (docs/decisions 0030).
  */
 final class EntryTable implements AutoCloseable {
     private static final int COLUMNS = 4;
-    private static final int MANY = 32;
+    private static final String ROW = "(?,?,?,?)";
+    /** Rows of the statements there are, from many to one: 1,000 entries are 12 statements. */
+    private static final int[] ROWS = {256, 32, 4, 1};
 
     private final Connection connection;
-    private PreparedStatement one;
-    private PreparedStatement many;
+    private final @Nullable PreparedStatement[] statements = new PreparedStatement[ROWS.length];
 
-    EntryTable(Connection connection) throws SQLException {
+    EntryTable(Connection connection) {
         this.connection = connection;
-        prepare();
-    }
-
-    private void prepare() throws SQLException {
-        one = connection.prepareStatement("INSERT INTO entries VALUES (?,?,?,?)");
-        many = connection.prepareStatement("INSERT INTO entries VALUES (?,?,?,?)" + ",(?,?,?,?)".repeat(MANY - 1));
     }
 
     void write(List<RowWriter.EntryRow> entries) throws SQLException {
         int next = 0;
-        while (next < entries.size()) {
-            boolean wide = entries.size() - next >= MANY;
-            PreparedStatement insert = wide ? many : one;
-            int rows = wide ? MANY : 1;
-            for (int row = 0; row < rows; row++) {
-                bind(insert, row * COLUMNS, entries.get(next + row));
+        for (int width = 0; width < ROWS.length; width++) {
+            int rows = ROWS[width];
+            while (entries.size() - next >= rows) {
+                PreparedStatement insert = statement(width);
+                for (int row = 0; row < rows; row++) {
+                    bind(insert, row * COLUMNS, entries.get(next + row));
+                }
+                insert.executeUpdate();
+                next += rows;
             }
-            insert.executeUpdate();
-            next += rows;
         }
+    }
+
+    /** Most sessions never have so many inputs at once that they need the long ones. */
+    private PreparedStatement statement(int width) throws SQLException {
+        PreparedStatement known = statements[width];
+        if (known != null) {
+            return known;
+        }
+        PreparedStatement made =
+                connection.prepareStatement("INSERT INTO entries VALUES " + ROW + ("," + ROW).repeat(ROWS[width] - 1));
+        statements[width] = made;
+        return made;
     }
 
     private static void bind(PreparedStatement insert, int offset, RowWriter.EntryRow entry) throws SQLException {
@@ -47,15 +56,15 @@ final class EntryTable implements AutoCloseable {
         insert.setBytes(offset + 4, entry.checksum().bytes());
     }
 
-    /** Goes on after a statement failed: the driver has closed it. */
-    void renew() throws SQLException {
-        close();
-        prepare();
-    }
-
+    /** Closes its statements; they are made again when needed. So also after one failed: the driver has closed it. */
     @Override
     public void close() throws SQLException {
-        one.close();
-        many.close();
+        for (int width = 0; width < ROWS.length; width++) {
+            PreparedStatement made = statements[width];
+            statements[width] = null;
+            if (made != null) {
+                made.close();
+            }
+        }
     }
 }

@@ -3,7 +3,7 @@ package org.sami.spn.journal;
 /**
  * How a journal is written. None of it changes what is read.
  *
- * @param snapshotEvery a snapshot of the state at the latest after so many entries; 0 = none
+ * @param snapshotEvery a snapshot of the state after so many entries, a large one after more (docs/decisions 0570); 0 = none
  * @param syncWithinMillis after how many milliseconds an entry survives the loss of power; 0 = only by an explicit sync
  * @param syncCommands whether a batch that asks for it survives the loss of power before its effects leave; false only
  *     where nobody can lose power, as in a simulated session

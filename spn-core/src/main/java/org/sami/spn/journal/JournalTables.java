@@ -126,6 +126,7 @@ public final class JournalTables {
             }
             String input = InputText.write(entry.input());
             byte[] bytes = input.getBytes(StandardCharsets.UTF_8);
+            schedule.grew(bytes.length);
             checksum = chain.entry(checksum, entry.index(), entry.atMillis(), bytes);
             rows.add(new RowWriter.EntryRow(entry.index(), entry.atMillis(), input, checksum));
         }
@@ -142,7 +143,7 @@ public final class JournalTables {
     /** Writes a snapshot of the state after the last entry, and deletes those that are given up. */
     public void writeSnapshot(byte[] state) throws SQLException {
         attachments.writeSnapshot(end.index, end.checksum, state);
-        attachments.dropSnapshots(schedule.written(end.index));
+        attachments.dropSnapshots(schedule.written(end.index, state.length));
     }
 
     /** The snapshot was committed. */

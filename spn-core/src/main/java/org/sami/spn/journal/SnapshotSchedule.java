@@ -6,12 +6,23 @@ import java.util.Collection;
 import java.util.Deque;
 import java.util.List;
 
-/** When a journal takes a snapshot, and which it gives up: the newest stay, and of the older ones every how-many-th. */
+/**
+ * When a journal takes a snapshot, and which it gives up: the newest stay, and of the older ones every how-many-th. A large one waits until the entries
+ * since the last are several times as long as that was, so that snapshots are never most of what is written (docs/decisions 0570).
+ */
 final class SnapshotSchedule {
+    /** Bytes of a snapshot that waits for nothing but its number of entries. */
+    private static final int SMALL = 64 * 1024;
+    /** Bytes of entries between large snapshots for each byte of a snapshot. */
+    private static final int ENTRIES_PER_SNAPSHOT = 4;
+
     private final int every;
     private final Deque<Long> snapshots;
     private long last;
     private long keptForGood;
+    private long attempted;
+    private long lastBytes;
+    private long bytesSince;
 
     /**
      * Of a journal that was opened.
@@ -25,11 +36,19 @@ final class SnapshotSchedule {
     }
 
     boolean isDue(long index) {
-        return every > 0 && index - last >= every;
+        return every > 0
+                && index - last >= every
+                && (lastBytes <= SMALL || bytesSince >= lastBytes * ENTRIES_PER_SNAPSHOT);
     }
 
-    /** One was written; gives those that are to be deleted with it. */
-    List<Long> written(long index) {
+    /** Entries of so many bytes were written. */
+    void grew(long bytes) {
+        bytesSince += bytes;
+    }
+
+    /** One of so many bytes was written; gives those that are to be deleted with it. */
+    List<Long> written(long index, int bytes) {
+        attempted = bytes;
         snapshots.add(index);
         return snapshots.size() > JournalOptions.NEWEST_SNAPSHOTS ? thinOut() : List.of();
     }
@@ -37,6 +56,8 @@ final class SnapshotSchedule {
     /** It is in the journal. */
     void committed(long index) {
         last = index;
+        lastBytes = attempted;
+        bytesSince = 0;
     }
 
     /** Which snapshots between the newest and the last that stays for good are given up. */

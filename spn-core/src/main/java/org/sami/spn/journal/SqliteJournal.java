@@ -227,7 +227,7 @@ public final class SqliteJournal implements StoredJournal {
         try {
             database.rollBack();
             tables.findEnd();
-            entries.renew();
+            entries.close();
             if (power.hasFailed()) {
                 database.rewriteLog();
                 power.recovered();

@@ -265,6 +265,21 @@ class SqliteJournalTest {
     }
 
     @Test
+    void batchesOfAllSizesComeBack() throws Exception {
+        int last = 0;
+        try (SqliteJournal journal = create()) {
+            for (int size : new int[] {1, 2, 3, 4, 5, 31, 32, 33, 255, 256, 257, 293, 1000, 1}) {
+                journal.append(numbers(last + 1, last + size), Durability.PROCESS);
+                last += size;
+            }
+        }
+
+        try (JournalReader reader = JournalReader.open(file)) {
+            assertThat(reader.entries()).isEqualTo(numbers(1, last));
+        }
+    }
+
+    @Test
     void snapshotsStandEveryNEntriesAndGiveTheStateAtAnyIndex() throws Exception {
         Engine engine = HostPlans.engine();
         var state = engine.newState();

@@ -105,8 +105,8 @@ class SpoiltEngineTest {
                         "R-OUT-6",
                         "an edge adds a token at each requirement",
                         "SelectedTokens.java",
-                        "e.addedBy = edge;",
-                        "e.addedBy = 0;"),
+                        "!made.contains(e.token) && addedByEdge.add(e)",
+                        "!made.contains(e.token)"),
                 arguments(
                         "R-END-4",
                         "commands are not withdrawn at an end place",
@@ -129,7 +129,7 @@ class SpoiltEngineTest {
                         "R-SHR-7",
                         "who is put back into a place stands in its static instance twice",
                         "SharedInstances.java",
-                        "(oldest != null && oldest.order <= before)",
+                        "(oldest != null && oldest.order() <= before)",
                         "oldest != null"),
                 arguments(
                         "R-SHR-2",
@@ -231,7 +231,7 @@ class SpoiltEngineTest {
                         "R-OCC-12",
                         "who stands in the place of a visit by nobody is gone",
                         "PendingOccurrences.java",
-                        "visit.byNobody ? visit.place.find(token) != null : !visit.ended && visit.has(token)",
+                        "visit.byNobody ? visit.place.has(token) : !visit.ended && visit.has(token)",
                         "!visit.ended && visit.has(token)"),
                 arguments(
                         "R-SHR-9",
@@ -335,13 +335,13 @@ class SpoiltEngineTest {
                         "a drop takes tokens without a word",
                         "RobotRemoval.java",
                         "rules.removal.remove(removed);",
-                        "removed.forEach(e -> e.place.remove(e));"),
+                        "removed.forEach(e -> e.place().remove(e));"),
                 arguments(
                         "R-VIS-8",
                         "a return takes tokens without a word",
                         "SharedInstances.java",
                         "rules.removal.remove(entries);",
-                        "entries.forEach(e -> e.place.remove(e));"),
+                        "entries.forEach(e -> e.place().remove(e));"),
                 arguments(
                         "R-VIS-8",
                         "a firing tells moves that it does not make",
@@ -358,8 +358,8 @@ class SpoiltEngineTest {
                         "R-VIS-3",
                         "a visit goes on without its tokens",
                         "TokenRemoval.java",
-                        "if (v.live == 0) {",
-                        "if (v.live < 0) {"),
+                        "if (v.hasLeft()) {",
+                        "if (v.hasLeft() && v.id < 0) {"),
                 arguments(
                         "R-FIRE-3",
                         "an input event writes nothing",

@@ -23,7 +23,9 @@ public final class ProtocolJson {
 
     /** An input as one line of text. */
     public static String inputText(Input input) {
-        return text(InputWriter.write(input));
+        return input instanceof Input.Received received
+                ? ReceivedText.write(received.occurrence())
+                : text(InputWriter.write(input));
     }
 
     /**

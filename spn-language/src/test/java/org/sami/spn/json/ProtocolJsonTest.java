@@ -3,6 +3,7 @@ package org.sami.spn.json;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -39,6 +40,7 @@ import org.sami.spn.value.Value;
 import org.sami.spn.value.ValueType;
 
 class ProtocolJsonTest {
+    private static final JsonMapper MAPPER = new JsonMapper();
     private static final TaskId TASK = new TaskId(3, "A/~ b");
 
     static List<Input> everyKindOfInput() {
@@ -92,6 +94,34 @@ class ProtocolJsonTest {
 
         assertThat(back).isEqualTo(input);
         assertThat(ProtocolJson.inputText(back)).isEqualTo(ProtocolJson.inputText(input));
+    }
+
+    @ParameterizedTest
+    @MethodSource("everyKindOfInput")
+    void theTextOfAnInputIsThatOfItsTree(Input input) throws Exception {
+        assertThat(ProtocolJson.inputText(input)).isEqualTo(MAPPER.writeValueAsString(ProtocolJson.input(input)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "",
+                "a \"quoted\\ name",
+                "\u0000\u001f\u007f\u0085",
+                "Bo\u00f6t \u2028 \ud83d\ude80",
+                "lone \ud83d",
+                "</a>/'"
+            })
+    void theTextOfAnOccurrenceIsThatOfItsTreeWhateverNamesAreInIt(String name) throws Exception {
+        Input input = new Input.Received(new Occurrence(
+                name,
+                Long.MIN_VALUE,
+                -1,
+                List.of(name, "b2"),
+                List.of(new TaskId(0, name), new TaskId(Long.MAX_VALUE, "T")),
+                Map.of(name, new TextValue(name))));
+
+        assertThat(ProtocolJson.inputText(input)).isEqualTo(MAPPER.writeValueAsString(ProtocolJson.input(input)));
     }
 
     @ParameterizedTest

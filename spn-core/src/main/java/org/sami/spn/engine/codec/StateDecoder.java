@@ -265,11 +265,13 @@ public final class StateDecoder {
 
     private void marking(MissionState m) {
         for (int p = 0; p < m.places.length; p++) {
+            StandingTokens standing = new StandingTokens();
             for (int i = in.integer(); i > 0; i--) {
                 Token token = in.token();
                 long order = in.number();
-                there(visits.get(in.number()), "visit").enter(token, order);
+                standing.add(there(visits.get(in.number()), "visit"), token, order);
             }
+            standing.enter();
         }
     }
 

@@ -229,7 +229,7 @@ public final class StateEncoder {
             out.integer(entries.size());
             for (PlacedToken e : entries) {
                 out.token(e.token);
-                out.number(e.order);
+                out.number(e.order());
                 out.number(e.visit.id);
             }
         }

@@ -225,9 +225,9 @@ public final class Enabling {
             return false;
         }
         return switch (r.kind()) {
-            case GENERIC -> e.kind == PlacedToken.GENERIC;
-            case ANY_PROXY -> e.kind == PlacedToken.PROXY;
-            case ANY_TASK -> e.kind == PlacedToken.TASK;
+            case GENERIC -> e.kind() == PlacedToken.GENERIC;
+            case ANY_PROXY -> e.kind() == PlacedToken.PROXY;
+            case ANY_TASK -> e.kind() == PlacedToken.TASK;
             case ANY_TOKEN -> true;
             case TASK -> isTask(r.task()).test(e.token);
             default -> false;

@@ -41,7 +41,7 @@ public final class Firing {
     Firing(RuleStep step, MissionRules rules) {
         this.step = step;
         this.rules = rules;
-        this.selection = new Selection(step, rules.enabling, rules.pool);
+        this.selection = new Selection(rules.enabling, rules.pool);
         this.combinations = new Combinations(rules.enabling);
     }
 
@@ -119,20 +119,21 @@ public final class Firing {
         }
         boolean ending = ends(m, ct);
         List<Visit> nobody = endingVisitsByNobody(m, ct, used, scope.reach);
+        List<PlacedToken> removed = selected.removed.inOrder();
         List<Visit> entered = move(m, ct, selected);
         if (scope.reach == Reach.ALL) {
-            withdrawCommands(m, selected.removed);
+            withdrawCommands(m, removed);
         }
         List<Return> returns = useReturns(m, ct, selected, scope);
-        for (PlacedToken e : selected.removed) {
+        for (PlacedToken e : removed) {
             rules.removal.left(e, before, scope.reach != Reach.FREE);
         }
         if (scope.reach != Reach.FREE) {
-            rules.sharedInstances.pulled(selected.removed, returns, before);
+            rules.sharedInstances.pulled(removed, returns, before);
         }
         nobody.forEach(rules.visits::end);
         rules.robotRemoval.askWithoutWithdrawn();
-        if (!selected.removed.isEmpty() && !m.decisions.isEmpty()) {
+        if (!removed.isEmpty() && !m.decisions.isEmpty()) {
             rules.robotChoices.left(m);
         }
         write(m, used);
@@ -159,7 +160,7 @@ public final class Firing {
                 rules.sharedInstances.returned(m, v);
             }
         }
-        lookAround(t, entered, selected.removed);
+        lookAround(t, entered, removed);
     }
 
     private static boolean ends(MissionState m, CompiledTransition t) {
@@ -181,7 +182,7 @@ public final class Firing {
 
     /** Removes, then adds; the visits that begin, in out-edge order. */
     private List<Visit> move(MissionState m, CompiledTransition t, SelectedTokens selected) {
-        rules.removal.remove(selected.removed);
+        rules.removal.remove(selected.removed.inOrder());
         List<Visit> entered = new ArrayList<>(t.outs.length);
         for (int i = 0; i < t.outs.length; i++) {
             CompiledTransition.Out out = t.outs[i];
@@ -309,7 +310,7 @@ public final class Firing {
 
     private static boolean anyFrom(List<PlacedToken> removed, PlaceState place) {
         for (PlacedToken e : removed) {
-            if (e.place == place) {
+            if (e.place() == place) {
                 return true;
             }
         }
@@ -320,7 +321,7 @@ public final class Firing {
     private boolean removedCounted(CompiledTransition t, List<PlacedToken> removed) {
         for (PlacedToken e : removed) {
             for (CompiledTransition.In in : t.ins) {
-                if (in.place() == e.place.place) {
+                if (in.place() == e.place().place) {
                     for (InRequirement r : in.requirements()) {
                         if (rules.enabling.counts(r, e)) {
                             return true;

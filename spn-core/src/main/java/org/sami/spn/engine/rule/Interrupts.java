@@ -193,7 +193,7 @@ public final class Interrupts {
     }
 
     private static void addRobots(PlaceState place, Set<String> robots) {
-        for (PlacedToken e = place.first(PlacedToken.PROXY); e != null; e = e.nextOfKind) {
+        for (PlacedToken e = place.first(PlacedToken.PROXY); e != null; e = place.nextOfKind(e)) {
             robots.add(((Token.Proxy) e.token).proxy());
         }
     }

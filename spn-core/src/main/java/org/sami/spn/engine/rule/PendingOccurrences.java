@@ -128,7 +128,7 @@ public final class PendingOccurrences {
     /** Whether a token of a name is in a visit; in the place of a visit by nobody. */
     private static boolean isIn(Visit visit, NamedToken n) {
         for (Token token : n.tokens) {
-            if (visit.byNobody ? visit.place.find(token) != null : !visit.ended && visit.has(token)) {
+            if (visit.byNobody ? visit.place.has(token) : !visit.ended && visit.has(token)) {
                 return true;
             }
         }
@@ -305,7 +305,7 @@ public final class PendingOccurrences {
             for (CompiledPlace place : t.transition.watched) {
                 PlaceState state = t.mission.places[place.index];
                 PlacedToken oldest = state == null ? null : state.find(token);
-                if (oldest != null && (state != left || oldest.order <= before)) {
+                if (oldest != null && (state != left || oldest.order() <= before)) {
                     return true;
                 }
             }
@@ -335,7 +335,7 @@ public final class PendingOccurrences {
                 PlaceState state = t.mission.places[place.index];
                 if (state != null
                         && (visit == null || state != visit.place)
-                        && state.find(token) != null
+                        && state.has(token)
                         && !enabling.wantsAbsence(t.transition, place, token, true)) {
                     return true;
                 }

@@ -12,6 +12,7 @@ import org.sami.spn.engine.net.CompiledInput;
 import org.sami.spn.engine.net.CompiledOutput;
 import org.sami.spn.engine.net.OptionFilter;
 import org.sami.spn.engine.state.OpenDecision;
+import org.sami.spn.engine.state.PlaceState;
 import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.model.VariableSpec;
@@ -99,7 +100,8 @@ final class Questions {
 
     private static Set<String> standing(SentActivation sent) {
         Set<String> standing = new LinkedHashSet<>();
-        for (PlacedToken e = sent.visit.place.first(PlacedToken.PROXY); e != null; e = e.nextOfKind) {
+        PlaceState place = sent.visit.place;
+        for (PlacedToken e = place.first(PlacedToken.PROXY); e != null; e = place.nextOfKind(e)) {
             standing.add(((Token.Proxy) e.token).proxy());
         }
         return standing;

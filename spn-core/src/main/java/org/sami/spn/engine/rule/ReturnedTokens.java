@@ -27,31 +27,23 @@ final class ReturnedTokens {
     private final OutRequirement requirement;
     private final SelectedTokens result;
     private final List<Token> added;
-    private final long firing;
-    private final long edge;
-    private final long pick;
+    private final PickedTokens picked = new PickedTokens();
     private final List<SelectedTokens.UsedReturn> used = new ArrayList<>(0);
     private int left;
 
     ReturnedTokens(
-            RuleStep step,
             TokenPool pool,
             TransitionState t,
             CompiledTransition.Out out,
             OutRequirement requirement,
             SelectedTokens result,
-            List<Token> added,
-            long firing,
-            long edge) {
+            List<Token> added) {
         this.pool = pool;
         this.t = t;
         this.out = out;
         this.requirement = requirement;
         this.result = result;
         this.added = added;
-        this.firing = firing;
-        this.edge = edge;
-        this.pick = ++step.state.stamp;
         this.left = requirement.takesAll() ? Integer.MAX_VALUE : requirement.n();
     }
 
@@ -82,7 +74,7 @@ final class ReturnedTokens {
         for (Token token : paired.tokens) {
             PlacedToken standing = null;
             for (PlacedToken e : entries) {
-                if (e.token.equals(token) && e.pickedBy != pick) {
+                if (e.token.equals(token) && !picked.contains(e)) {
                     standing = e;
                     break;
                 }
@@ -100,8 +92,8 @@ final class ReturnedTokens {
     }
 
     private @Nullable PlacedToken standing(Visit v, Token token, @Nullable List<PlacedToken> free) {
-        for (PlacedToken e = v.first; e != null; e = e.nextOfVisit) {
-            if (e.pickedBy != pick && e.token.equals(token) && (free == null || free.contains(e))) {
+        for (PlacedToken e : v.standing()) {
+            if (!picked.contains(e) && e.token.equals(token) && (free == null || free.contains(e))) {
                 return e;
             }
         }
@@ -114,8 +106,8 @@ final class ReturnedTokens {
         }
         left--;
         if (standing != null) {
-            standing.pickedBy = pick;
-            result.use(standing, requirement.action(), out, added, firing, edge);
+            picked.add(standing);
+            result.use(standing, requirement.action(), out, added);
             return;
         }
         if (requirement.action() != Action.ADD) {

@@ -67,7 +67,7 @@ public final class RobotRemoval {
     private boolean standsSomewhere(Token token) {
         for (MissionState m : rules.state.missions.values()) {
             for (PlaceState place : m.places) {
-                if (place != null && place.find(token) != null) {
+                if (place != null && place.has(token)) {
                     return true;
                 }
             }
@@ -122,9 +122,7 @@ public final class RobotRemoval {
         List<PlacedToken> removed = new ArrayList<>();
         for (PlaceState place : m.places) {
             if (place != null) {
-                for (PlacedToken e = place.find(token); e != null; e = e.nextCopy) {
-                    removed.add(e);
-                }
+                removed.addAll(place.copies(token));
             }
         }
         for (List<Token> waiting : m.waiting) {
@@ -140,7 +138,7 @@ public final class RobotRemoval {
         rules.removal.remove(removed);
         withdrawCommands(m, token);
         for (PlacedToken e : removed) {
-            rules.work.withdrawn(e.place);
+            rules.work.withdrawn(e.place());
         }
         for (PlacedToken e : removed) {
             rules.removal.left(e, before, true);

@@ -12,7 +12,6 @@ import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NamedToken;
 import org.sami.spn.engine.state.PendingOccurrence;
 import org.sami.spn.engine.state.PlaceState;
-import org.sami.spn.engine.state.PlacedToken;
 import org.sami.spn.engine.state.SentActivation;
 import org.sami.spn.engine.state.TransitionState;
 import org.sami.spn.engine.state.Visit;
@@ -272,8 +271,8 @@ public final class Routing {
         if (visit.byNobody || !t.wantsNone) {
             return true;
         }
-        for (PlacedToken e = visit.first; e != null; e = e.nextOfVisit) {
-            if (!enabling.wantsAbsence(t, visit.place.place, e.token, false)) {
+        for (Token token : visit.left()) {
+            if (!enabling.wantsAbsence(t, visit.place.place, token, false)) {
                 return true;
             }
         }
@@ -285,7 +284,7 @@ public final class Routing {
             for (Token token : n.tokens) {
                 for (CompiledPlace place : t.inPlaces) {
                     PlaceState state = m.places[place.index];
-                    if (state != null && state.find(token) != null && !enabling.wantsAbsence(t, place, token, true)) {
+                    if (state != null && state.has(token) && !enabling.wantsAbsence(t, place, token, true)) {
                         return true;
                     }
                 }

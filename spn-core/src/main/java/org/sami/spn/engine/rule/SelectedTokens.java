@@ -19,7 +19,10 @@ final class SelectedTokens {
     /** A returned token that a firing uses though no token of the parent stands for it. */
     record UsedReturn(Instance instance, Token token) {}
 
-    final List<PlacedToken> removed = new ArrayList<>(4);
+    final PickedTokens removed = new PickedTokens();
+    /** Tokens of the marking that the edge at hand adds. */
+    private final PickedTokens addedByEdge = new PickedTokens();
+
     final List<List<Token>> added = new ArrayList<>(4);
     final List<TokenMove> moves = new ArrayList<>(4);
     /** Named tokens that were made for the edge at hand: copies of them are not added to it again. */
@@ -28,17 +31,20 @@ final class SelectedTokens {
     final List<UsedReturn> usedReturns = new ArrayList<>(0);
     final List<String> shortOf = new ArrayList<>(0);
 
+    /** Begins with the next edge. */
+    void nextEdge() {
+        made.clear();
+        addedByEdge.clear();
+    }
+
     /** Applies an action to one selected token of the pool. */
-    void use(PlacedToken e, Action action, CompiledTransition.Out out, List<Token> added, long firing, long edge) {
+    void use(PlacedToken e, Action action, CompiledTransition.Out out, List<Token> added) {
         Optional<String> from = Optional.empty();
-        if (action != Action.ADD && e.removedBy != firing) {
-            e.removedBy = firing;
-            removed.add(e);
-            from = e.place.place.inMoves;
+        if (action != Action.ADD && removed.add(e)) {
+            from = e.place().place.inMoves;
         }
         Optional<String> to = Optional.empty();
-        if (action != Action.CONSUME && e.addedBy != edge && !made.contains(e.token)) {
-            e.addedBy = edge;
+        if (action != Action.CONSUME && !made.contains(e.token) && addedByEdge.add(e)) {
             added.add(e.token);
             to = out.place().inMoves;
         }

@@ -21,26 +21,22 @@ import org.sami.spn.protocol.Token;
  * <p>Implements R-TOK-3, R-OUT-1, R-OUT-3, R-OUT-4, R-OUT-5.
  */
 final class Selection {
-    private final RuleStep step;
     private final Enabling enabling;
     private final TokenPool pool;
     private final List<PlacedToken> picked = new ArrayList<>();
 
-    Selection(RuleStep step, Enabling enabling, TokenPool pool) {
-        this.step = step;
+    Selection(Enabling enabling, TokenPool pool) {
         this.enabling = enabling;
         this.pool = pool;
     }
 
     SelectedTokens select(TransitionState t, RelevantTokens relevant, FiringScope scope) {
         SelectedTokens result = new SelectedTokens();
-        long firing = ++step.state.stamp;
         for (CompiledTransition.Out out : t.transition.outs) {
             List<Token> added = new ArrayList<>(2);
-            long edge = ++step.state.stamp;
-            result.made.clear();
+            result.nextEdge();
             for (OutRequirement r : out.requirements()) {
-                select(t, out, r, relevant, scope, result, added, firing, edge);
+                select(t, out, r, relevant, scope, result, added);
             }
             result.added.add(added);
         }
@@ -54,9 +50,7 @@ final class Selection {
             RelevantTokens relevant,
             FiringScope scope,
             SelectedTokens result,
-            List<Token> added,
-            long firing,
-            long edge) {
+            List<Token> added) {
         boolean adds = r.action() == Action.ADD;
         if (r.kind() == TokenKind.UNCONDITIONAL) {
             return;
@@ -72,7 +66,7 @@ final class Selection {
             return;
         }
         if (r.kind() == TokenKind.SUB_MISSION_TOKENS) {
-            new ReturnedTokens(step, pool, t, out, r, result, added, firing, edge).select(scope);
+            new ReturnedTokens(pool, t, out, r, result, added).select(scope);
             return;
         }
         picked.clear();
@@ -82,7 +76,7 @@ final class Selection {
             pick(t, r, scope, result);
         }
         for (PlacedToken e : picked) {
-            result.use(e, r.action(), out, added, firing, edge);
+            result.use(e, r.action(), out, added);
         }
         picked.clear();
     }
@@ -145,8 +139,8 @@ final class Selection {
             }
         }
         if (picked.size() > 1) {
-            picked.sort(Comparator.comparingInt((PlacedToken e) -> indexOf(places, e.place.place))
-                    .thenComparingLong(e -> e.order));
+            picked.sort(Comparator.comparingInt((PlacedToken e) -> indexOf(places, e.place().place))
+                    .thenComparingLong(PlacedToken::order));
         }
         if (picked.isEmpty()) {
             result.shortOf.add("none of the relevant tokens");

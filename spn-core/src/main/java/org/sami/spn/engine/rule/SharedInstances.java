@@ -89,10 +89,7 @@ final class SharedInstances {
     void returned(MissionState child, Visit v) {
         List<Token> tokens = new ArrayList<>();
         long before = rules.state.stamp;
-        List<PlacedToken> entries = new ArrayList<>();
-        for (PlacedToken e = v.first; e != null; e = e.nextOfVisit) {
-            entries.add(e);
-        }
+        List<PlacedToken> entries = v.standing();
         rules.removal.remove(entries);
         for (PlacedToken e : entries) {
             rules.removal.left(e, before, false);
@@ -153,7 +150,7 @@ final class SharedInstances {
         List<Return> left = new ArrayList<>();
         used.forEach(r -> left.add(new Return(r.instance, r.tokens, r.value)));
         for (PlacedToken e : removed) {
-            for (SharedRun run : e.place.shared) {
+            for (SharedRun run : e.place().shared) {
                 boolean broughtBack =
                         left.stream().anyMatch(r -> r.instance == run.instance && r.tokens.remove(e.token));
                 if (!broughtBack) {
@@ -169,7 +166,7 @@ final class SharedInstances {
             run.instance.starting.remove(token);
         }
         PlacedToken oldest = place.find(token);
-        if (PlacedToken.kindOf(token) == PlacedToken.GENERIC || (oldest != null && oldest.order <= before)) {
+        if (PlacedToken.kindOf(token) == PlacedToken.GENERIC || (oldest != null && oldest.order() <= before)) {
             return;
         }
         forget(run, token);

@@ -33,7 +33,7 @@ public final class TokenPool {
     public int count(PlaceState place, int kind, FiringScope scope, Predicate<Token> fits) {
         List<PlacedToken> returned = returned(place, scope);
         int n = 0;
-        for (PlacedToken e = place.first(kind); e != null; e = e.nextOfKind) {
+        for (PlacedToken e = place.first(kind); e != null; e = place.nextOfKind(e)) {
             if (fits.test(e.token) && usable(e, scope, returned)) {
                 n++;
             }
@@ -43,13 +43,13 @@ public final class TokenPool {
 
     /** How many copies of a proxy or task token the pool has. */
     public int copies(PlaceState place, Token token, FiringScope scope) {
-        PlacedToken e = place.find(token);
-        if (e == null) {
+        List<PlacedToken> copies = place.copies(token);
+        if (copies.isEmpty()) {
             return 0;
         }
         List<PlacedToken> returned = returned(place, scope);
         int n = 0;
-        for (; e != null; e = e.nextCopy) {
+        for (PlacedToken e : copies) {
             if (usable(e, scope, returned)) {
                 n++;
             }
@@ -67,7 +67,7 @@ public final class TokenPool {
             List<PlacedToken> into) {
         List<PlacedToken> returned = returned(place, scope);
         int n = 0;
-        for (PlacedToken e = place.first(kind); e != null && n < limit; e = e.nextOfKind) {
+        for (PlacedToken e = place.first(kind); e != null && n < limit; e = place.nextOfKind(e)) {
             if ((fits == null || fits.test(e.token)) && usable(e, scope, returned)) {
                 into.add(e);
                 n++;
@@ -105,13 +105,13 @@ public final class TokenPool {
 
     /** Adds every copy of a proxy or task token; says how many were added. */
     public int collectCopies(PlaceState place, Token token, FiringScope scope, List<PlacedToken> into) {
-        PlacedToken e = place.find(token);
-        if (e == null) {
+        List<PlacedToken> copies = place.copies(token);
+        if (copies.isEmpty()) {
             return 0;
         }
         List<PlacedToken> returned = returned(place, scope);
         int n = 0;
-        for (; e != null; e = e.nextCopy) {
+        for (PlacedToken e : copies) {
             if (usable(e, scope, returned)) {
                 into.add(e);
                 n++;
@@ -154,7 +154,7 @@ public final class TokenPool {
 
     /** Whether no dynamic instance holds a token back, and no checked return binds the firing to another visit. */
     private static boolean standsFree(PlacedToken e, FiringScope scope) {
-        Visit bound = scope.checked.isEmpty() ? null : scope.visitIn(e.place);
+        Visit bound = scope.checked.isEmpty() ? null : scope.visitIn(e.place());
         if (bound != null && bound != e.visit) {
             return false;
         }

@@ -37,10 +37,10 @@ final class TokenRemoval {
     }
 
     private void takeOut(PlacedToken e) {
-        e.place.remove(e);
-        if (e.kind != PlacedToken.GENERIC) {
-            for (CompiledTransition t : e.place.place.barriers) {
-                e.place.mission.transition(t.index).allReports().left(e.token);
+        e.place().remove(e);
+        if (e.kind() != PlacedToken.GENERIC) {
+            for (CompiledTransition t : e.place().place.barriers) {
+                e.place().mission.transition(t.index).allReports().left(e.token);
             }
         }
     }
@@ -53,9 +53,9 @@ final class TokenRemoval {
      */
     void left(PlacedToken e, long before, boolean withdraw) {
         Visit v = e.visit;
-        if (e.kind != PlacedToken.GENERIC) {
+        if (e.kind() != PlacedToken.GENERIC) {
             rules.timers.tokenLeft(v, e.token);
-            rules.pendings.left(e.place, e.token, before);
+            rules.pendings.left(e.place(), e.token, before);
         }
         if (v.hasInstances()) {
             for (Instance i : v.instances) {
@@ -65,7 +65,7 @@ final class TokenRemoval {
                 }
             }
         }
-        if (v.live == 0) {
+        if (v.hasLeft()) {
             rules.visits.end(v);
         }
     }

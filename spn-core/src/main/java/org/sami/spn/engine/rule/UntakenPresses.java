@@ -34,7 +34,7 @@ final class UntakenPresses {
         StringBuilder words = new StringBuilder();
         for (PlaceState place : m.places) {
             for (String proxy : place == null ? List.<String>of() : proxies) {
-                if (place.find(new Token.Proxy(proxy)) != null) {
+                if (place.has(new Token.Proxy(proxy))) {
                     words.append("; ")
                             .append(proxy)
                             .append(" is in '")

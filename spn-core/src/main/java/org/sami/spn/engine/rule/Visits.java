@@ -29,9 +29,8 @@ final class Visits {
         NetState state = rules.state;
         Visit v = new Visit(++state.lastVisit, place, List.copyOf(tokens));
         place.mission.addVisit(v);
-        for (Token token : tokens) {
-            v.enter(token, ++state.stamp);
-        }
+        v.enter(state.stamp + 1);
+        state.stamp += tokens.size();
         if (v.byNobody) {
             place.addByNobody(v);
         }

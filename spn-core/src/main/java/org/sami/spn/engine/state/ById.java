@@ -11,6 +11,8 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ById<T> {
     private static final int SMALLEST = 8;
+    /** Times 2 to the 64, odd. */
+    private static final long GOLDEN_RATIO = 0x9E3779B97F4A7C15L;
 
     private long[] ids = new long[SMALLEST]; // 0 = free; a power of two, at most half of it in use
     private @Nullable Object[] things = new Object[SMALLEST];
@@ -107,8 +109,11 @@ public final class ById<T> {
         return at;
     }
 
-    /** Ids are given one after the other: their last bits alone spread them. */
+    /**
+     * Multiplied by the golden ratio, ids that follow one another lie far apart. With their last bits alone they would lie in one row without a gap, and
+     * {@link #remove} would go through all of it.
+     */
     private int slot(long id) {
-        return (int) id & ids.length - 1;
+        return (int) ((id * GOLDEN_RATIO) >>> 32) & ids.length - 1;
     }
 }

@@ -31,7 +31,7 @@ public final class NetState {
     public long lastDecision;
     public long lastTimer;
     public long firings;
-    /** Numbers orders of entry, selections and chains; never used outside. */
+    /** Order of the last entry of a token into a place; never used outside. */
     public long stamp;
 
     public final Map<Long, MissionState> missions = new LinkedHashMap<>();

@@ -1,32 +1,32 @@
 package org.sami.spn.engine.state;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.protocol.Token;
 
 /**
- * The marking of one place: a multiset of tokens in order of entry. Counting a kind, finding a token, its removal and the
- * oldest of a kind take constant time.
+ * The marking of one place: a multiset of tokens in order of entry. It is the visits that have tokens here, in order, and of each which of its tokens
+ * have not left: so most places keep nothing for each token, and are copied quickly. Counting a kind takes constant time, and so do finding a token
+ * and its removal in a crowded place, which has a table.
  */
 public final class PlaceState {
     /** Up to so many proxy and task tokens are found by looking through them: in most places no table is needed. */
-    private static final int FEW = 16;
+    static final int FEW = 16;
 
     public final MissionState mission;
     public final CompiledPlace place;
     /** How many tokens of each kind stand here, then how many of each kind running instances hold. */
     private final int[] counts = new int[2 * PlacedToken.KINDS];
-    /** The oldest token of each kind, then the newest of each. */
-    private final @Nullable PlacedToken[] ends = new PlacedToken[2 * PlacedToken.KINDS];
-    /** The oldest copy of each proxy and task token; null as long as there are few, which are looked through. */
-    private @Nullable Map<Token, PlacedToken> named;
+
+    private @Nullable Visit firstHere;
+    private @Nullable Visit lastHere;
+    /** The copies of each proxy and task token, oldest first; null until one is looked for where there are more than a few. */
+    private @Nullable Map<Token, List<PlacedToken>> named;
 
     /** Visits by nobody that have not ended. */
     private List<Visit> nobody = List.of();
@@ -67,7 +67,25 @@ public final class PlaceState {
 
     /** The oldest token of a kind, or null. */
     public @Nullable PlacedToken first(int kind) {
-        return ends[kind];
+        return counts[kind] == 0 ? null : next(firstHere, 0, kind);
+    }
+
+    /** The next token of the kind of one that stands here, or null. */
+    public @Nullable PlacedToken nextOfKind(PlacedToken e) {
+        return next(e.visit, e.index + 1, e.kind());
+    }
+
+    private static @Nullable PlacedToken next(@Nullable Visit from, int index, int kind) {
+        int start = index;
+        for (Visit v = from; v != null; v = v.nextHere) {
+            for (int i = v.nextStanding(start); i >= 0; i = v.nextStanding(i + 1)) {
+                if (v.kindAt(i) == kind) {
+                    return new PlacedToken(v, i);
+                }
+            }
+            start = 0;
+        }
+        return null;
     }
 
     /** Visits by nobody that have not ended; changes when one begins or ends. */
@@ -88,17 +106,74 @@ public final class PlaceState {
         nobody.remove(visit);
     }
 
-    /** The oldest copy of a proxy or task token, or null. */
-    public @Nullable PlacedToken find(Token token) {
-        if (named != null) {
-            return named.get(token);
+    /** Whether a proxy or task token stands here. */
+    public boolean has(Token token) {
+        if (isCrowded()) {
+            return named().containsKey(token);
         }
-        for (PlacedToken e = ends[PlacedToken.kindOf(token)]; e != null; e = e.nextOfKind) {
-            if (e.token.equals(token)) {
-                return e;
+        for (Visit v = firstHere; v != null; v = v.nextHere) {
+            if (v.indexOf(token, 0) >= 0) {
+                return true;
             }
         }
-        return null;
+        return false;
+    }
+
+    /** The oldest copy of a proxy or task token, or null. */
+    public @Nullable PlacedToken find(Token token) {
+        List<PlacedToken> copies = copies(token);
+        return copies.isEmpty() ? null : copies.get(0);
+    }
+
+    /** The copies of a proxy or task token, oldest first; they do not follow the place. */
+    public List<PlacedToken> copies(Token token) {
+        if (isCrowded()) {
+            return named().getOrDefault(token, List.of());
+        }
+        List<PlacedToken> found = List.of();
+        for (Visit v = firstHere; v != null; v = v.nextHere) {
+            for (int i = v.indexOf(token, 0); i >= 0; i = v.indexOf(token, i + 1)) {
+                found = with(found, new PlacedToken(v, i));
+            }
+        }
+        return found;
+    }
+
+    private static List<PlacedToken> with(List<PlacedToken> copies, PlacedToken newest) {
+        if (copies.isEmpty()) {
+            return List.of(newest);
+        }
+        List<PlacedToken> more = new ArrayList<>(copies);
+        more.add(newest);
+        return more;
+    }
+
+    /** A table is kept until half as many tokens are left, so that one that comes and goes does not make it again each time. */
+    private boolean isCrowded() {
+        return named != null || namedTokens() > FEW;
+    }
+
+    private int namedTokens() {
+        return counts[PlacedToken.PROXY] + counts[PlacedToken.TASK];
+    }
+
+    private Map<Token, List<PlacedToken>> named() {
+        if (named == null) {
+            named = new HashMap<>();
+            for (Visit v = firstHere; v != null; v = v.nextHere) {
+                name(v, named);
+            }
+        }
+        return named;
+    }
+
+    private static void name(Visit v, Map<Token, List<PlacedToken>> all) {
+        for (int i = v.nextStanding(0); i >= 0; i = v.nextStanding(i + 1)) {
+            if (v.kindAt(i) != PlacedToken.GENERIC) {
+                PlacedToken e = new PlacedToken(v, i);
+                all.put(e.token, with(all.getOrDefault(e.token, List.of()), e));
+            }
+        }
     }
 
     public Map<Long, Visit> instanceVisits() {
@@ -118,99 +193,77 @@ public final class PlaceState {
         }
     }
 
-    public void add(PlacedToken e) {
-        int k = e.kind;
-        PlacedToken copy = k == PlacedToken.GENERIC ? null : find(e.token);
-        counts[k]++;
-        if (e.visit.held) {
-            hold(k, 1);
+    /** The tokens of a visit stand here from now on, after all others. */
+    void add(Visit v) {
+        int first = v.nextStanding(0);
+        if (first < 0) {
+            return;
         }
-        int newest = PlacedToken.KINDS + k;
-        PlacedToken last = ends[newest];
-        e.previousOfKind = last;
-        if (last == null) {
-            ends[k] = e;
+        for (int i = first; i >= 0; i = v.nextStanding(i + 1)) {
+            int kind = v.kindAt(i);
+            counts[kind]++;
+            if (v.held) {
+                hold(kind, 1);
+            }
+        }
+        v.previousHere = lastHere;
+        if (lastHere == null) {
+            firstHere = v;
         } else {
-            last.nextOfKind = e;
+            lastHere.nextHere = v;
         }
-        ends[newest] = e;
-        while (copy != null && copy.nextCopy != null) {
-            copy = copy.nextCopy;
-        }
-        if (copy != null) {
-            copy.nextCopy = e;
-        } else if (k != PlacedToken.GENERIC) {
-            name(e);
-        }
-        e.visit.add(e);
-    }
-
-    private void name(PlacedToken e) {
+        lastHere = v;
         if (named != null) {
-            named.put(e.token, e);
-        } else if (counts[PlacedToken.PROXY] + counts[PlacedToken.TASK] > FEW) {
-            Map<Token, PlacedToken> all = new HashMap<>();
-            for (int k = PlacedToken.PROXY; k <= PlacedToken.TASK; k++) {
-                for (PlacedToken one = ends[k]; one != null; one = one.nextOfKind) {
-                    all.putIfAbsent(one.token, one);
-                }
-            }
-            named = all;
+            name(v, named);
         }
     }
 
+    /** One token leaves. */
     public void remove(PlacedToken e) {
-        int k = e.kind;
-        PlacedToken oldest = k == PlacedToken.GENERIC ? null : find(e.token);
-        counts[k]--;
-        if (e.visit.held) {
-            hold(k, -1);
+        Visit v = e.visit;
+        int kind = e.kind();
+        v.leave(e.index);
+        counts[kind]--;
+        if (v.held) {
+            hold(kind, -1);
         }
-        if (e.previousOfKind == null) {
-            ends[k] = e.nextOfKind;
-        } else {
-            e.previousOfKind.nextOfKind = e.nextOfKind;
+        if (v.hasLeft()) {
+            unlink(v);
         }
-        if (e.nextOfKind == null) {
-            ends[PlacedToken.KINDS + k] = e.previousOfKind;
-        } else {
-            e.nextOfKind.previousOfKind = e.previousOfKind;
+        if (namedTokens() <= FEW / 2) {
+            named = null;
         }
-        if (oldest != null) {
-            removeCopy(e, oldest);
-        }
-        e.visit.remove(e);
-    }
-
-    private void removeCopy(PlacedToken e, PlacedToken oldest) {
-        if (oldest != e) {
-            PlacedToken copy = oldest;
-            while (copy.nextCopy != e) {
-                copy = Objects.requireNonNull(copy.nextCopy, "a token that stands here");
-            }
-            copy.nextCopy = e.nextCopy;
-        } else if (named != null) {
-            if (e.nextCopy == null) {
+        if (named != null && kind != PlacedToken.GENERIC) {
+            List<PlacedToken> copies = new ArrayList<>(named.getOrDefault(e.token, List.of()));
+            copies.remove(e);
+            if (copies.isEmpty()) {
                 named.remove(e.token);
             } else {
-                named.put(e.token, e.nextCopy);
+                named.put(e.token, copies);
             }
         }
+    }
+
+    private void unlink(Visit v) {
+        if (v.previousHere == null) {
+            firstHere = v.nextHere;
+        } else {
+            v.previousHere.nextHere = v.nextHere;
+        }
+        if (v.nextHere == null) {
+            lastHere = v.previousHere;
+        } else {
+            v.nextHere.previousHere = v.previousHere;
+        }
+        v.previousHere = null;
+        v.nextHere = null;
     }
 
     /** Tokens in order of entry. */
     public List<PlacedToken> inOrder() {
         List<PlacedToken> result = new ArrayList<>(total());
-        @Nullable PlacedToken[] next = Arrays.copyOf(ends, PlacedToken.KINDS);
-        for (int i = total(); i > 0; i--) {
-            int oldest = -1;
-            for (int k = 0; k < PlacedToken.KINDS; k++) {
-                if (next[k] != null && (oldest < 0 || next[k].order < next[oldest].order)) {
-                    oldest = k;
-                }
-            }
-            result.add(next[oldest]);
-            next[oldest] = next[oldest].nextOfKind;
+        for (Visit v = firstHere; v != null; v = v.nextHere) {
+            v.addStanding(result);
         }
         return result;
     }

@@ -1,11 +1,10 @@
 package org.sami.spn.engine.state;
 
-import org.jspecify.annotations.Nullable;
 import org.sami.spn.protocol.Token;
 
 /**
- * One token standing in one place: a knot in the place's list of its kind and in its visit's list. Copies of a token are
- * chained, oldest first.
+ * Names one token standing in one place: the visit by which it entered, and which of the tokens of that visit it is. Made when a rule asks for it; a state keeps
+ * none but in crowded places ({@link PlaceState}). Stays valid as a name after the token has left.
  */
 public final class PlacedToken {
     public static final int GENERIC = 0;
@@ -14,28 +13,14 @@ public final class PlacedToken {
     public static final int KINDS = 3;
 
     public final Token token;
-    public final int kind;
-    public final long order;
-    public final PlaceState place;
     public final Visit visit;
-    public @Nullable PlacedToken previousOfKind;
-    public @Nullable PlacedToken nextOfKind;
-    public @Nullable PlacedToken previousOfVisit;
-    public @Nullable PlacedToken nextOfVisit;
-    public @Nullable PlacedToken nextCopy;
-    /** Number of the firing that removes it; marks need no clearing. */
-    public long removedBy;
-    /** Number of the last requirement that picked it as a returned token. */
-    public long pickedBy;
-    /** Number of the last edge that adds it. */
-    public long addedBy;
+    /** Its position among the tokens that entered by the visit. */
+    final int index;
 
-    public PlacedToken(Token token, long order, PlaceState place, Visit visit) {
-        this.token = token;
-        this.kind = kindOf(token);
-        this.order = order;
-        this.place = place;
+    PlacedToken(Visit visit, int index) {
+        this.token = visit.entered.get(index);
         this.visit = visit;
+        this.index = index;
     }
 
     public static int kindOf(Token token) {
@@ -43,5 +28,28 @@ public final class PlacedToken {
             return PROXY;
         }
         return token instanceof Token.Task ? TASK : GENERIC;
+    }
+
+    public int kind() {
+        return kindOf(token);
+    }
+
+    public PlaceState place() {
+        return visit.place;
+    }
+
+    /** Numbers the entries of tokens in a session: what entered later has a greater number. */
+    public long order() {
+        return visit.orderOf(index);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof PlacedToken e && e.visit == visit && e.index == index;
+    }
+
+    @Override
+    public int hashCode() {
+        return Long.hashCode(order());
     }
 }

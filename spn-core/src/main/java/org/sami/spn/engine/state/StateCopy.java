@@ -155,9 +155,7 @@ public final class StateCopy {
             if (v.byNobody) {
                 place.addByNobody(v);
             }
-            for (PlacedToken e = old.first; e != null; e = e.nextOfVisit) {
-                v.enter(e.token, e.order);
-            }
+            v.enterAs(old);
         }
         return v;
     }
