@@ -7,9 +7,11 @@ import java.sql.SQLException;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import org.sami.spn.host.JournalException;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.journal.JournalOptions;
+import org.sami.spn.journal.JournalPart;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.JournalStore;
 import org.sami.spn.journal.JournalTables;
@@ -85,16 +87,18 @@ public final class PostgresStore implements JournalStore {
     @Override
     public PostgresJournal open(String text, JournalOptions options) throws IOException {
         PostgresAddress address = PostgresAddress.parse(text);
-        return open(address, options, () -> Lease.take(address, terms, holder, nanos));
+        return open(address, options, () -> Lease.take(address, terms, holder, nanos), Optional::empty);
     }
 
     @Override
-    public PostgresJournal takeOver(String text, JournalOptions options, Consumer<String> lines) throws IOException {
+    public PostgresJournal takeOver(
+            String text, JournalOptions options, Consumer<String> lines, Supplier<Optional<JournalPart>> ahead)
+            throws IOException {
         PostgresAddress address = PostgresAddress.parse(text);
         Lease lease = new LeaseWatch(address, () -> Lease.takeIfFree(address, terms, holder, nanos), lines).await();
         try {
             lines.accept("nobody held the session any more; this base has taken it");
-            return open(address, options, () -> lease);
+            return open(address, options, () -> lease, ahead);
         } catch (IOException | RuntimeException fault) {
             lease.close();
             throw fault;
@@ -107,7 +111,8 @@ public final class PostgresStore implements JournalStore {
         Lease take() throws SQLException, IOException;
     }
 
-    private static PostgresJournal open(PostgresAddress address, JournalOptions options, Taking lease)
+    private static PostgresJournal open(
+            PostgresAddress address, JournalOptions options, Taking lease, Supplier<Optional<JournalPart>> ahead)
             throws IOException {
         try {
             Connection connection = Connections.toWrite(address);
@@ -117,7 +122,7 @@ public final class PostgresStore implements JournalStore {
                 }
                 Migrations.run(connection, address);
                 connection.commit();
-                return opened(address, connection, lease.take(), options);
+                return opened(address, connection, lease.take(), ahead, options);
             } catch (SQLException | IOException | RuntimeException fault) {
                 Connections.drop(connection);
                 throw fault;
@@ -128,11 +133,15 @@ public final class PostgresStore implements JournalStore {
     }
 
     private static PostgresJournal opened(
-            PostgresAddress address, Connection connection, Lease lease, JournalOptions options)
+            PostgresAddress address,
+            Connection connection,
+            Lease lease,
+            Supplier<Optional<JournalPart>> ahead,
+            JournalOptions options)
             throws SQLException, IOException {
         try {
             JournalTables tables =
-                    JournalTables.open(address.words(), connection, new PostgresRows(connection), options);
+                    JournalTables.open(address.words(), connection, new PostgresRows(connection), ahead.get(), options);
             Recovery found = tables.recovery();
             Optional<String> damage = Optional.empty();
             if (found.damage().isPresent()) {
@@ -161,8 +170,24 @@ public final class PostgresStore implements JournalStore {
     }
 
     @Override
-    public JournalReader read(String text) throws JournalException {
+    public Optional<JournalHeader> header(String text) throws IOException {
         PostgresAddress address = PostgresAddress.parse(text);
+        try (Connection connection = Connections.toRead(address)) {
+            return hasHeader(connection, address)
+                    ? Optional.of(JournalTables.header(address.words(), connection))
+                    : Optional.empty();
+        } catch (SQLException fault) {
+            throw DatabaseFaults.of(address, 0, "cannot be read", fault);
+        }
+    }
+
+    @Override
+    public JournalReader read(String text, Optional<JournalPart> known) throws JournalException {
+        return read(PostgresAddress.parse(text), known);
+    }
+
+    /** Reads what is behind a part that is known. */
+    static JournalReader read(PostgresAddress address, Optional<JournalPart> known) throws JournalException {
         try {
             Connection connection = Connections.toRead(address);
             try {
@@ -170,7 +195,7 @@ public final class PostgresStore implements JournalStore {
                     throw new JournalException(address.words(), 0, "is not there");
                 }
                 Migrations.version(connection, address);
-                return JournalReader.over(address.words(), connection);
+                return JournalReader.over(address.words(), connection, known);
             } catch (SQLException | JournalException | RuntimeException fault) {
                 Connections.drop(connection);
                 throw fault;

@@ -7,6 +7,7 @@ import io.zonky.test.db.postgres.embedded.EmbeddedPostgres;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutorService;
@@ -191,6 +192,6 @@ class LeaseWatchTest {
     }
 
     private PostgresJournal takeOver(String name, String where, Consumer<String> said) throws IOException {
-        return Journals.base(name).takeOver(where, JournalOptions.DEFAULT, said);
+        return Journals.base(name).takeOver(where, JournalOptions.DEFAULT, said, Optional::empty);
     }
 }

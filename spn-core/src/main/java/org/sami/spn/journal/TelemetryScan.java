@@ -32,19 +32,28 @@ final class TelemetryScan {
     private Optional<String> unreadable = Optional.empty();
     private long at;
 
-    /** Of a file. */
+    /** Of a file, all of it. */
     TelemetryScan(Database database) {
-        this(database.connection(), () -> new SumsOfTable(database.hasTelemetrySums(), database.hasAllTelemetrySums()));
+        this(database, 0);
     }
 
-    /** Of a database whose rows all have checksums. */
-    TelemetryScan(Connection connection) {
-        this(connection, () -> new SumsOfTable(true, true));
+    /** Of a file, from a row on. */
+    TelemetryScan(Database database, long first) {
+        this(
+                database.connection(),
+                () -> new SumsOfTable(database.hasTelemetrySums(), database.hasAllTelemetrySums()),
+                first);
     }
 
-    private TelemetryScan(Connection connection, Sums sums) {
+    /** Of a database whose rows all have checksums, from a row on. */
+    TelemetryScan(Connection connection, long first) {
+        this(connection, () -> new SumsOfTable(true, true), first);
+    }
+
+    private TelemetryScan(Connection connection, Sums sums, long first) {
         this.connection = connection;
         this.sums = sums;
+        this.at = first;
     }
 
     /** What a table says of the checksums of its rows. */
@@ -71,8 +80,16 @@ final class TelemetryScan {
         } catch (SQLException fault) {
             unreadable = Optional.of(String.valueOf(fault.getMessage()));
         }
+        if (!positions.isEmpty()) {
+            at = positions.get(positions.size() - 1) + 1;
+        }
         dropImpossibleTimes();
         return new Telemetry(rows, damage());
+    }
+
+    /** Where the rows behind those that {@link #run} has read begin. */
+    long next() {
+        return at;
     }
 
     /** Reads from a position to the end; false if something on the way cannot be read. */
