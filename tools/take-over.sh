@@ -17,9 +17,9 @@ trap 'kill -9 "${pids[@]}" 2>/dev/null || true; rm -rf "$work"' EXIT
 start() {
     local number=$1
     shift
-    "$crw" serve --port 0 --journal "$journal" "$@" >"$work/$number" 2>&1 &
+    : >"$work/$number"
+    "$crw" serve --port 0 --journal "$journal" "$@" >>"$work/$number" 2>&1 &
     pids[number]=$!
-    touch "$work/$number"
 }
 
 # await NUMBER TEXT: until a base has said it, 60 s at most

@@ -14,7 +14,11 @@ import org.sami.spn.host.JournalException;
  * replica of the database will do. For one thread at a time.
  */
 public final class JournalFollower implements AutoCloseable {
+    /** Rows of telemetry in memory, some 250 bytes each. Those of a longer session are read by whoever goes on with it. */
+    private static final int MOST_TELEMETRY = 500_000;
+
     private final JournalAddress address;
+    private final int mostTelemetry;
     private Optional<JournalReader> reader = Optional.empty();
     private Optional<Applied> applied = Optional.empty();
 
@@ -22,7 +26,8 @@ public final class JournalFollower implements AutoCloseable {
     private static final class Applied {
         final Engine engine;
         final EngineState state;
-        final List<TelemetryRow> telemetry = new ArrayList<>();
+        List<TelemetryRow> telemetry = new ArrayList<>();
+        boolean keepsTelemetry = true;
         long index;
         long nextTelemetry;
         Optional<String> telemetryDamage = Optional.empty();
@@ -39,13 +44,18 @@ public final class JournalFollower implements AutoCloseable {
             Telemetry found = scan.run();
             telemetry.addAll(found.rows());
             nextTelemetry = scan.next();
-            telemetryDamage = telemetryDamage.isPresent() ? telemetryDamage : found.damage();
+            telemetryDamage = telemetryDamage.or(found::damage);
         }
     }
 
     /** A follower that has read nothing yet. */
     public JournalFollower(JournalAddress address) {
+        this(address, MOST_TELEMETRY);
+    }
+
+    JournalFollower(JournalAddress address, int mostTelemetry) {
         this.address = address;
+        this.mostTelemetry = mostTelemetry;
     }
 
     /**
@@ -85,8 +95,18 @@ public final class JournalFollower implements AutoCloseable {
     private void begin(JournalReader from) throws JournalException {
         Engine engine = engine(from.header());
         Applied first = new Applied(engine, from.stateAt(from.lastIndex(), engine), from.entriesRead());
-        first.add(from.telemetryFrom(0));
+        followTelemetry(first, from);
         applied = Optional.of(first);
+    }
+
+    private void followTelemetry(Applied to, JournalReader from) {
+        if (to.keepsTelemetry) {
+            to.add(from.telemetryFrom(to.nextTelemetry));
+            if (to.telemetry.size() > mostTelemetry) {
+                to.keepsTelemetry = false;
+                to.telemetry = new ArrayList<>();
+            }
+        }
     }
 
     private Engine engine(JournalHeader header) {
@@ -98,13 +118,13 @@ public final class JournalFollower implements AutoCloseable {
         }
     }
 
-    private static void apply(Applied to, JournalReader from) throws JournalException {
+    private void apply(Applied to, JournalReader from) throws JournalException {
         from.entries(to.index + 1, from.lastIndex(), entry -> {
             to.engine.step(to.state, entry.atMillis(), entry.input(), effect -> {});
             to.index = entry.index();
         });
         to.entries = from.entriesRead();
-        to.add(from.telemetryFrom(to.nextTelemetry));
+        followTelemetry(to, from);
     }
 
     /** Index of the last entry that was applied; 0 where none was. */
@@ -117,13 +137,15 @@ public final class JournalFollower implements AutoCloseable {
         return applied.flatMap(all -> all.entries.contents().damage());
     }
 
-    /** What has been read, with the state after the last entry; empty where nothing has. */
+    /** What has been read, with the state after the last entry; empty where nothing has. Not to be followed on after that. */
     public Optional<JournalPart> part() {
         return applied.map(all -> new JournalPart(
                 all.entries.contents(),
                 Optional.of(new JournalPart.KeptState(all.index, StateCodec.encode(all.state))),
-                new JournalPart.KeptTelemetry(
-                        Collections.unmodifiableList(all.telemetry), all.nextTelemetry, all.telemetryDamage)));
+                all.keepsTelemetry
+                        ? new JournalPart.KeptTelemetry(
+                                Collections.unmodifiableList(all.telemetry), all.nextTelemetry, all.telemetryDamage)
+                        : JournalPart.KeptTelemetry.NONE));
     }
 
     /** Closes its connection; it can follow on by another. */

@@ -5,7 +5,9 @@ import java.sql.PreparedStatement;
 import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -27,6 +29,7 @@ final class TelemetryScan {
     private final List<TelemetryRow> rows = new ArrayList<>();
     private final List<Long> positions = new ArrayList<>();
     private final List<Boolean> summed = new ArrayList<>();
+    private final Map<String, String> names = new HashMap<>();
     private long damaged;
     private boolean sumsBegan;
     private Optional<String> unreadable = Optional.empty();
@@ -125,7 +128,7 @@ final class TelemetryScan {
             damaged++;
             return;
         }
-        TelemetryRow row = new TelemetryRow(found.getLong(2), proxy, kind, json);
+        TelemetryRow row = new TelemetryRow(found.getLong(2), once(proxy), once(kind), json);
         if (hasSum && TelemetryTable.sum(row) != sum) {
             damaged++;
             return;
@@ -134,6 +137,11 @@ final class TelemetryScan {
         rows.add(row);
         positions.add(position);
         summed.add(hasSum);
+    }
+
+    /** Rows are kept in memory, and many have the same few names. */
+    private String once(String name) {
+        return names.computeIfAbsent(name, first -> first);
     }
 
     /** Without a checksum, a row that is later than those after it did not happen then. */
