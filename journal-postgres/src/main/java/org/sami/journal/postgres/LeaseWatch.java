@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 
 /** Waits for the end of another's lease and takes it then; of several that wait, the others go on waiting. A database that is gone meanwhile is asked again until it answers. */
 final class LeaseWatch {
-    private static final long LOOK_MILLIS = 200;
+    private static final long LOOK_MILLIS = 100;
     private static final int ANSWER_SECONDS = 2;
 
     private final PostgresAddress address;

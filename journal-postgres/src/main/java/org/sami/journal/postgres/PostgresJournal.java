@@ -75,7 +75,7 @@ final class PostgresJournal implements StoredJournal {
 
     @Override
     public JournalReader reader() throws JournalException {
-        return PostgresStore.read(address, Optional.of(read));
+        return PostgresReading.open(address, Optional.of(read));
     }
 
     @Override

@@ -183,25 +183,7 @@ public final class PostgresStore implements JournalStore {
 
     @Override
     public JournalReader read(String text, Optional<JournalPart> known) throws JournalException {
-        return read(PostgresAddress.parse(text), known);
-    }
-
-    /** Reads what is behind a part that is known. */
-    static JournalReader read(PostgresAddress address, Optional<JournalPart> known) throws JournalException {
-        try {
-            Connection connection = Connections.toRead(address);
-            try {
-                if (!Migrations.isThere(connection, address)) {
-                    throw new JournalException(address.words(), 0, "is not there");
-                }
-                Migrations.version(connection, address);
-                return JournalReader.over(address.words(), connection, known);
-            } catch (SQLException | JournalException | RuntimeException fault) {
-                Connections.drop(connection);
-                throw fault;
-            }
-        } catch (SQLException fault) {
-            throw DatabaseFaults.of(address, 0, "cannot be read", fault);
-        }
+        PostgresAddress address = PostgresAddress.parse(text);
+        return known.isPresent() ? PostgresReading.follow(address, known.get()) : PostgresReading.open(address, known);
     }
 }

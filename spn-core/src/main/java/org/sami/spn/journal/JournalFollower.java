@@ -76,6 +76,7 @@ public final class JournalFollower implements AutoCloseable {
                 apply(applied.get(), from);
             } else {
                 begin(from);
+                close(); // the next reader has little to read, and may give up sooner where nothing answers
             }
         } catch (JournalException fault) {
             close();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.cli.CommandResult;
 import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.session.standby.WarmStandby;
@@ -232,10 +234,7 @@ class WarmTakeOverTest {
         Standby standby = new Standby();
         standby.await("warm: applied up to entry 30");
 
-        TestDatabase.run(
-                database,
-                "SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE query LIKE '%FROM telemetry%' AND pid <>"
-                        + " pg_backend_pid()");
+        Await.until("the standby's reader", 120, () -> cutReaders() > 0);
 
         standby.await("cannot read the session");
         write(holder, 40, new Random(1));
@@ -244,6 +243,18 @@ class WarmTakeOverTest {
         try (SessionJournal taken = standby.taken.get()) {
             assertThat(taken.resumedFrom()).hasValue(40);
             assertThat(StateCodec.encode(taken.restore(engine()))).isEqualTo(stateAfter(40));
+        }
+    }
+
+    /** How many readers were cut off that had come to the end of a look. */
+    private long cutReaders() {
+        try {
+            return TestDatabase.number(
+                    database,
+                    "SELECT count(pg_terminate_backend(pid)) FROM pg_stat_activity WHERE query LIKE '%FROM telemetry%'"
+                            + " AND pid <> pg_backend_pid()");
+        } catch (SQLException fault) {
+            throw new IllegalStateException(fault);
         }
     }
 
