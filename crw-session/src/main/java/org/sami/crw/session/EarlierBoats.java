@@ -1,14 +1,12 @@
 package org.sami.crw.session;
 
 import java.io.IOException;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.archive.FleetHistory;
+import org.sami.crw.session.archive.MapHistory;
 import org.sami.crw.session.archive.SessionJournal;
-import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.spn.value.GeoPoint;
 
 /** The boats that earlier processes of a session had, as its journal knows them. For the time before the session begins. */
@@ -49,13 +47,6 @@ public final class EarlierBoats {
      * @throws IOException if the journal cannot be read
      */
     public Map<String, GeoPoint> lastPositions() throws IOException {
-        Map<String, GeoPoint> last = new HashMap<>();
-        SessionTelemetry.read(journal.earlier(), new SessionTelemetry.Reader() {
-            @Override
-            public void pose(long atMillis, String boat, FleetHistory.Report report, double distanceM) {
-                last.put(boat, report.position());
-            }
-        });
-        return last;
+        return MapHistory.lastPositions(journal.earlier());
     }
 }

@@ -108,6 +108,7 @@ final class SessionParts {
         engine.begin(models, threads.nowMs());
         looks.begin();
         threads.start();
+        journal.begun();
     }
 
     void close() throws IOException {

@@ -16,6 +16,9 @@ public final class Connections {
 
     private static final int READER_SECONDS = 120;
 
+    /** Of a reader that has little to read, and is to find out soon that its network was cut. */
+    private static final int FOLLOWER_SECONDS = 4;
+
     private Connections() {}
 
     /** For a writer: waits for locks and answers shortly, so that a fault shows while boats can still be held. */
@@ -45,7 +48,16 @@ public final class Connections {
 
     /** For a reader, which sees the journal as it was when it began. */
     static Connection toRead(PostgresAddress address) throws SQLException {
-        Properties properties = properties(address, READER_SECONDS);
+        return toRead(address, READER_SECONDS);
+    }
+
+    /** For a reader who has read most of the journal before. */
+    static Connection toFollow(PostgresAddress address) throws SQLException {
+        return toRead(address, FOLLOWER_SECONDS);
+    }
+
+    private static Connection toRead(PostgresAddress address, int seconds) throws SQLException {
+        Properties properties = properties(address, seconds);
         properties.setProperty("readOnly", "true");
         Connection connection = connect(address, properties);
         try {

@@ -11,9 +11,9 @@ import java.time.Duration;
  *     before another can begin
  */
 record LeaseTerms(Duration length, Duration renewEvery, Duration ownLimit) {
-    /** Of a session: a base that died is followed by another after 5 s; one that stands still for 2 s keeps it. */
+    /** Of a session: a base that died is followed by another after 3.5 s; one that stands still for 2 s keeps it. */
     static final LeaseTerms STANDARD =
-            new LeaseTerms(Duration.ofSeconds(5), Duration.ofSeconds(1), Duration.ofSeconds(4));
+            new LeaseTerms(Duration.ofMillis(3500), Duration.ofMillis(500), Duration.ofSeconds(3));
 
     LeaseTerms {
         if (ownLimit.compareTo(length) > 0) {

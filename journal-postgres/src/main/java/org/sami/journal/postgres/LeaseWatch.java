@@ -15,7 +15,7 @@ import java.util.function.LongSupplier;
  * is one of a pair, the lease is judged by {@link LeaseSight}, and a replica becomes the database before the lease is taken.
  */
 final class LeaseWatch {
-    private static final long LOOK_MILLIS = 200;
+    private static final long LOOK_MILLIS = 100;
     private static final int ANSWER_SECONDS = 2;
     private static final int PROMOTION_SECONDS = 30;
 

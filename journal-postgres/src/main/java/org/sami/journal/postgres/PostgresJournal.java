@@ -13,9 +13,9 @@ import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.JournalEntry;
 import org.sami.spn.host.JournalException;
-import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.journal.JournalOptions;
+import org.sami.spn.journal.JournalPart;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.JournalTables;
 import org.sami.spn.journal.Recovery;
@@ -39,6 +39,7 @@ final class PostgresJournal implements StoredJournal {
     private final JournalTables tables;
     private final Recovery recovery;
     private final TelemetryFlush flush;
+    private volatile JournalPart read;
     private Connection connection;
     private String commitMode = "";
     private Optional<String> broken = Optional.empty();
@@ -61,6 +62,7 @@ final class PostgresJournal implements StoredJournal {
         this.connection = connection;
         this.lease = lease;
         this.tables = tables;
+        this.read = tables.read();
         this.recovery = recovery;
         this.options = options;
         this.flush = new TelemetryFlush("journal-telemetry of " + address.words(), this::writeTelemetry);
@@ -73,7 +75,7 @@ final class PostgresJournal implements StoredJournal {
 
     @Override
     public JournalReader reader() throws JournalException {
-        return JournalAddress.parse(address.text()).read();
+        return PostgresReading.open(address, Optional.of(read));
     }
 
     @Override
@@ -193,6 +195,11 @@ final class PostgresJournal implements StoredJournal {
         try (JournalReader reader = reader()) {
             return reader.stateAt(recovery.lastValid(), engine);
         }
+    }
+
+    @Override
+    public void begun() {
+        read = read.entriesOnly();
     }
 
     /** One transaction, with the lease and the telemetry that waits. After a failure nothing more is written before {@link #recover}: the journal's end is not known. */

@@ -8,9 +8,11 @@ import java.time.InstantSource;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import org.sami.spn.host.JournalException;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.journal.JournalOptions;
+import org.sami.spn.journal.JournalPart;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.JournalStore;
 import org.sami.spn.journal.JournalTables;
@@ -86,16 +88,18 @@ public final class PostgresStore implements JournalStore {
     @Override
     public PostgresJournal open(String text, JournalOptions options) throws IOException {
         PostgresAddress address = PostgresAddress.parse(text);
-        return open(address, options, () -> Lease.take(address, terms, holder, nanos));
+        return open(address, options, () -> Lease.take(address, terms, holder, nanos), Optional::empty);
     }
 
     @Override
-    public PostgresJournal takeOver(String text, JournalOptions options, Consumer<String> lines) throws IOException {
+    public PostgresJournal takeOver(
+            String text, JournalOptions options, Consumer<String> lines, Supplier<Optional<JournalPart>> ahead)
+            throws IOException {
         PostgresAddress address = PostgresAddress.parse(text);
         Lease lease = new LeaseWatch(address, terms, nanos, InstantSource.system(), taking(address), lines).await();
         try {
             lines.accept("nobody held the session any more; this base has taken it");
-            return open(address, options, () -> lease);
+            return open(address, options, () -> lease, ahead);
         } catch (IOException | RuntimeException fault) {
             lease.close();
             throw fault;
@@ -122,7 +126,8 @@ public final class PostgresStore implements JournalStore {
         Lease take() throws SQLException, IOException;
     }
 
-    private static PostgresJournal open(PostgresAddress address, JournalOptions options, Taking lease)
+    private static PostgresJournal open(
+            PostgresAddress address, JournalOptions options, Taking lease, Supplier<Optional<JournalPart>> ahead)
             throws IOException {
         try {
             Connection connection = Connections.toWrite(address);
@@ -132,7 +137,7 @@ public final class PostgresStore implements JournalStore {
                 }
                 Migrations.run(connection, address);
                 connection.commit();
-                return opened(address, connection, lease.take(), options);
+                return opened(address, connection, lease.take(), ahead, options);
             } catch (SQLException | IOException | RuntimeException fault) {
                 Connections.drop(connection);
                 throw fault;
@@ -143,11 +148,15 @@ public final class PostgresStore implements JournalStore {
     }
 
     private static PostgresJournal opened(
-            PostgresAddress address, Connection connection, Lease lease, JournalOptions options)
+            PostgresAddress address,
+            Connection connection,
+            Lease lease,
+            Supplier<Optional<JournalPart>> ahead,
+            JournalOptions options)
             throws SQLException, IOException {
         try {
             JournalTables tables =
-                    JournalTables.open(address.words(), connection, new PostgresRows(connection), options);
+                    JournalTables.open(address.words(), connection, new PostgresRows(connection), ahead.get(), options);
             Recovery found = tables.recovery();
             Optional<String> damage = Optional.empty();
             if (found.damage().isPresent()) {
@@ -176,22 +185,20 @@ public final class PostgresStore implements JournalStore {
     }
 
     @Override
-    public JournalReader read(String text) throws JournalException {
+    public Optional<JournalHeader> header(String text) throws IOException {
         PostgresAddress address = PostgresAddress.parse(text);
-        try {
-            Connection connection = Connections.toRead(address);
-            try {
-                if (!Migrations.isThere(connection, address)) {
-                    throw new JournalException(address.words(), 0, "is not there");
-                }
-                Migrations.version(connection, address);
-                return JournalReader.over(address.words(), connection);
-            } catch (SQLException | JournalException | RuntimeException fault) {
-                Connections.drop(connection);
-                throw fault;
-            }
+        try (Connection connection = Connections.toRead(address)) {
+            return hasHeader(connection, address)
+                    ? Optional.of(JournalTables.header(address.words(), connection))
+                    : Optional.empty();
         } catch (SQLException fault) {
             throw DatabaseFaults.of(address, 0, "cannot be read", fault);
         }
+    }
+
+    @Override
+    public JournalReader read(String text, Optional<JournalPart> known) throws JournalException {
+        PostgresAddress address = PostgresAddress.parse(text);
+        return known.isPresent() ? PostgresReading.follow(address, known.get()) : PostgresReading.open(address, known);
     }
 }

@@ -205,6 +205,6 @@ class LeaseWatchTest {
     }
 
     private PostgresJournal takeOver(String name, String where, Consumer<String> said) throws IOException {
-        return Journals.base(name).takeOver(where, JournalOptions.DEFAULT, said);
+        return Journals.base(name).takeOver(where, JournalOptions.DEFAULT, said, Optional::empty);
     }
 }

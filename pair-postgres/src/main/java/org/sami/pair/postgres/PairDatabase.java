@@ -27,7 +27,7 @@ public final class PairDatabase {
         ssl = on
         wal_keep_size = 1GB
         max_wal_senders = 6
-        wal_sender_timeout = 2s
+        wal_sender_timeout = 1500ms
         wal_receiver_timeout = 2s
         wal_receiver_status_interval = 1s
         wal_retrieve_retry_interval = 500ms

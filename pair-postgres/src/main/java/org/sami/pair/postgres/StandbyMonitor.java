@@ -15,11 +15,11 @@ import org.sami.journal.postgres.Connections;
 import org.sami.journal.postgres.DatabaseFaults;
 
 /**
- * Looks, beside a session that holds its pair, whether the standby follows, and has the database wait for it or go on without it. Looks twice a second on a thread of its own, by a connection
+ * Looks, beside a session that holds its pair, whether the standby follows, and has the database wait for it or go on without it. Looks four times a second on a thread of its own, by a connection
  * of its own.
  */
 public final class StandbyMonitor implements AutoCloseable {
-    private static final long LOOK_MILLIS = 500;
+    private static final long LOOK_MILLIS = 250;
 
     private final PairConnections connections;
     private final PairSettings settings;
@@ -153,7 +153,7 @@ public final class StandbyMonitor implements AutoCloseable {
         }
         thread.shutdown();
         try {
-            if (!thread.awaitTermination(LOOK_MILLIS * 10, TimeUnit.MILLISECONDS)) {
+            if (!thread.awaitTermination(LOOK_MILLIS * 20, TimeUnit.MILLISECONDS)) {
                 return; // its connection answers within seconds, or is dropped by it
             }
         } catch (InterruptedException stopped) {

@@ -65,7 +65,7 @@ final class JournalFeed implements HostListener, AutoCloseable {
      */
     void start() throws IOException {
         session.setup().journal().earlier().forEach(row -> rows.take(0, row));
-        session.setup().journal().earlierEntries(entry -> remember(entry.input()));
+        documents.putAll(session.setup().journal().earlierDocuments());
         registrations = List.of(session.telemetry().addListener(this::take), session.addListener(this));
     }
 

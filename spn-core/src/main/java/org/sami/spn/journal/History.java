@@ -24,8 +24,15 @@ final class History {
     private final Contents contents;
     private final Attachments attachments;
     private final ProjectDocuments documents;
+    private final Optional<JournalPart.KeptState> kept;
 
-    History(String where, Connection connection, Contents contents) {
+    /**
+     * The past that a database holds.
+     *
+     * @param kept a state after one of the valid entries that needs not be read
+     */
+    History(String where, Connection connection, Contents contents, Optional<JournalPart.KeptState> kept) {
+        this.kept = kept;
         this.where = where;
         this.connection = connection;
         this.contents = contents;
@@ -36,6 +43,10 @@ final class History {
     EngineState stateAt(long index, Engine engine) throws JournalException {
         if (index < 0 || index > contents.lastValid()) {
             throw new IllegalArgumentException("entries go to " + contents.lastValid() + ", not to " + index);
+        }
+        Optional<EngineState> ahead = kept(index, engine);
+        if (ahead.isPresent()) {
+            return goOn(engine, ahead.get(), kept.orElseThrow().index(), index);
         }
         long from = index;
         while (true) {
@@ -106,14 +117,22 @@ final class History {
         return state;
     }
 
+    /** The state that is kept, where no snapshot is nearer to an entry. */
+    private Optional<EngineState> kept(long index, Engine engine) {
+        Long snapshot = contents.snapshots().floorKey(index);
+        return kept.filter(state -> state.index() <= index && (snapshot == null || state.index() >= snapshot))
+                .flatMap(state -> decoded(state.bytes(), engine));
+    }
+
     private Optional<EngineState> decoded(long index, Checksum entryChecksum, Engine engine) {
-        return attachments.snapshot(index, entryChecksum).flatMap(bytes -> {
-            try {
-                return Optional.of(StateCodec.decode(bytes, engine, documents::find));
-            } catch (IllegalArgumentException older) {
-                return Optional
-                        .empty(); // of another version of the state's format: an earlier one, or the start, will do
-            }
-        });
+        return attachments.snapshot(index, entryChecksum).flatMap(bytes -> decoded(bytes, engine));
+    }
+
+    private Optional<EngineState> decoded(byte[] bytes, Engine engine) {
+        try {
+            return Optional.of(StateCodec.decode(bytes, engine, documents::find));
+        } catch (IllegalArgumentException older) {
+            return Optional.empty(); // of another version of the state's format: an earlier one, or the start, will do
+        }
     }
 }

@@ -7,6 +7,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.sami.spn.host.JournalException;
 
 /**
@@ -91,13 +92,28 @@ public final class JournalAddress {
      * Waits until there is a journal that somebody has written and nobody holds any more, and opens it to go on with it. Of several that wait one gets it; the others go on waiting.
      *
      * @param lines what is waited for, for people
+     * @param ahead what of the journal was read meanwhile; asked once, when nobody else can write any more
      * @throws IllegalStateException if this is a file, which one laptop has alone
      * @throws java.io.InterruptedIOException if the thread is interrupted
      * @throws IOException if the database refuses the first connection, which a later one that fails does not end, or the journal cannot be opened
      */
-    public StoredJournal takeOver(JournalOptions options, Consumer<String> lines) throws IOException {
-        return store.orElseThrow(() -> new IllegalStateException(text + " is a file"))
-                .takeOver(text, options, lines);
+    public StoredJournal takeOver(JournalOptions options, Consumer<String> lines, Supplier<Optional<JournalPart>> ahead)
+            throws IOException {
+        return inDatabase().takeOver(text, options, lines, ahead);
+    }
+
+    /**
+     * The header of a journal in a database; empty where there is no journal yet.
+     *
+     * @throws IllegalStateException if this is a file
+     * @throws IOException if the database does not say, or the journal ran by other rules of firing
+     */
+    public Optional<JournalHeader> header() throws IOException {
+        return inDatabase().header(text);
+    }
+
+    private JournalStore inDatabase() {
+        return store.orElseThrow(() -> new IllegalStateException(text + " is a file"));
     }
 
     /**
@@ -106,7 +122,12 @@ public final class JournalAddress {
      * @throws JournalException where not even the header is true
      */
     public JournalReader read() throws JournalException {
-        return store.isPresent() ? store.get().read(text) : JournalReader.open(file.orElseThrow());
+        return read(Optional.empty());
+    }
+
+    /** Opens a journal to read what is behind a part that was read before; all of it where it is another journal by now. */
+    JournalReader read(Optional<JournalPart> known) throws JournalException {
+        return store.isPresent() ? store.get().read(text, known) : JournalReader.open(file.orElseThrow(), known);
     }
 
     @Override

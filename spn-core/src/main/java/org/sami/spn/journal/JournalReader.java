@@ -5,9 +5,9 @@ import java.sql.Connection;
 import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.HostListener;
@@ -15,20 +15,35 @@ import org.sami.spn.host.JournalEntry;
 import org.sami.spn.host.JournalException;
 
 /**
- * Reads a journal, also one that is being written: what was durable when it was opened. Used by one thread at a time.
+ * Reads a journal, also one that is being written: what was durable when it was opened, or when it last read on. Used by one thread at a time.
  */
 public final class JournalReader implements AutoCloseable {
-    private final Contents contents;
-    private final History history;
-    private final Supplier<Telemetry> telemetry;
+    private final String where;
+    private final Connection connection;
+    private final boolean goesOn;
+    private final TelemetryFrom telemetry;
     private final Closing closing;
+    private Optional<JournalPart> kept;
+    private Contents contents;
+    private History history;
 
     private JournalReader(
-            String where, Connection connection, Contents contents, Supplier<Telemetry> telemetry, Closing closing) {
-        this.contents = contents;
-        this.history = new History(where, connection, contents);
+            String where, Connection connection, Optional<JournalPart> known, TelemetryFrom telemetry, Closing closing)
+            throws JournalException {
+        this.where = where;
+        this.connection = connection;
         this.telemetry = telemetry;
         this.closing = closing;
+        Optional<Contents> on =
+                known.isPresent() ? Scan.on(where, connection, known.get().contents()) : Optional.empty();
+        goesOn = on.isPresent();
+        kept = goesOn ? known : Optional.empty();
+        contents = on.isPresent() ? on.get() : Scan.of(where, connection);
+        history = history();
+    }
+
+    private History history() {
+        return new History(where, connection, contents, kept.flatMap(JournalPart::state));
     }
 
     /** How what a reader reads is closed. */
@@ -37,21 +52,30 @@ public final class JournalReader implements AutoCloseable {
         void close() throws JournalException;
     }
 
+    /** Telemetry from a row on. */
+    @FunctionalInterface
+    private interface TelemetryFrom {
+        TelemetryScan scan(long first);
+    }
+
     /**
      * Reads it once and finds out how far it is true.
      *
      * @throws JournalException where not even the header is
      */
     public static JournalReader open(Path file) throws JournalException {
+        return open(file, Optional.empty());
+    }
+
+    static JournalReader open(Path file, Optional<JournalPart> known) throws JournalException {
         JournalLock.checkName(file);
         Database database = Database.open(file);
         try {
-            Contents contents = Scan.of(file.toString(), database.connection());
             return new JournalReader(
                     file.toString(),
                     database.connection(),
-                    contents,
-                    () -> new TelemetryScan(database).run(),
+                    known,
+                    first -> new TelemetryScan(database, first),
                     database::close);
         } catch (JournalException refused) {
             database.close();
@@ -64,12 +88,17 @@ public final class JournalReader implements AutoCloseable {
      *
      * @param where named in faults
      * @param connection on the journal's tables; nothing is written by it, and it is closed with the reader
+     * @param known what was read before, and is not read again; where the journal is another one by now, all is
      * @throws JournalException where not even the header is true
      */
-    public static JournalReader over(String where, Connection connection) throws JournalException {
-        Contents contents = Scan.of(where, connection);
+    public static JournalReader over(String where, Connection connection, Optional<JournalPart> known)
+            throws JournalException {
         return new JournalReader(
-                where, connection, contents, () -> new TelemetryScan(connection).run(), () -> close(where, connection));
+                where,
+                connection,
+                known,
+                first -> new TelemetryScan(connection, first),
+                () -> close(where, connection));
     }
 
     private static void close(String where, Connection connection) throws JournalException {
@@ -78,6 +107,48 @@ public final class JournalReader implements AutoCloseable {
         } catch (SQLException fault) {
             throw new JournalException(where, 0, "cannot be closed: " + fault.getMessage(), fault);
         }
+    }
+
+    /** Whether it goes on from what was read before, and what that was is still so. */
+    boolean goesOn() {
+        return goesOn;
+    }
+
+    /**
+     * Reads what was written since.
+     *
+     * @return false if another journal stands there than was read: this reader is of no use then
+     */
+    boolean readOn() throws JournalException {
+        try {
+            if (!connection.getAutoCommit()) {
+                connection.commit(); // the transaction before shows nothing newer
+            }
+        } catch (SQLException fault) {
+            throw new JournalException(where, lastIndex(), "cannot be read: " + fault.getMessage(), fault);
+        }
+        Optional<Contents> on = Scan.on(where, connection, contents);
+        if (on.isEmpty()) {
+            return false;
+        }
+        contents = on.get();
+        history = history();
+        return true;
+    }
+
+    /** The entries that were found to be valid. */
+    JournalPart entriesRead() {
+        return JournalPart.of(contents);
+    }
+
+    /** The telemetry from a row on. */
+    TelemetryScan telemetryFrom(long first) {
+        return telemetry.scan(first);
+    }
+
+    /** The projects that the session has loaded, by the SHA-256 of their documents. */
+    public Map<String, String> documents() {
+        return new ProjectDocuments(connection).all();
     }
 
     /** What the journal says before its first entry. */
@@ -149,9 +220,16 @@ public final class JournalReader implements AutoCloseable {
         return history.marks();
     }
 
-    /** The telemetry, in the order in which it was added, without what is damaged. Read again at each call. */
+    /** The telemetry, in the order in which it was added, without what is damaged. Read again at each call, but for what was read before. */
     public Telemetry telemetry() {
-        return telemetry.get();
+        JournalPart.KeptTelemetry before = kept.map(JournalPart::telemetry).orElse(JournalPart.KeptTelemetry.NONE);
+        Telemetry behind = telemetry.scan(before.next()).run();
+        if (before.rows().isEmpty()) {
+            return behind;
+        }
+        List<TelemetryRow> all = new ArrayList<>(before.rows());
+        all.addAll(behind.rows());
+        return new Telemetry(all, before.damage().or(behind::damage));
     }
 
     @Override

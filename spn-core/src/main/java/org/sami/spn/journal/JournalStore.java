@@ -1,7 +1,9 @@
 package org.sami.spn.journal;
 
 import java.io.IOException;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.sami.spn.host.JournalException;
 
 /** A kind of database that holds journals; found by {@link java.util.ServiceLoader} when a user names one. Safe for use by several threads. */
@@ -37,11 +39,30 @@ public interface JournalStore {
      * Waits until there is a journal that somebody has written and nobody holds any more, and opens it to go on with it. Of several that wait one gets it; the others go on waiting.
      *
      * @param lines what is waited for, for people
+     * @param ahead what of the journal was read meanwhile; asked once, when nobody else can write any more
      * @throws java.io.InterruptedIOException if the thread is interrupted
      * @throws IOException if the database refuses the first connection, which a later one that fails does not end, or the journal cannot be opened
      */
-    StoredJournal takeOver(String address, JournalOptions options, Consumer<String> lines) throws IOException;
+    StoredJournal takeOver(
+            String address, JournalOptions options, Consumer<String> lines, Supplier<Optional<JournalPart>> ahead)
+            throws IOException;
+
+    /**
+     * The header of a journal that this program can go on with; empty where there is no journal.
+     *
+     * @throws IOException if the database does not say, or the journal ran by other rules of firing
+     */
+    Optional<JournalHeader> header(String address) throws IOException;
 
     /** Opens a journal to read it. */
-    JournalReader read(String address) throws JournalException;
+    default JournalReader read(String address) throws JournalException {
+        return read(address, Optional.empty());
+    }
+
+    /**
+     * Opens a journal to read what is not known of it.
+     *
+     * @param known what was read before, and is not read again; where the journal is another one by now, all is
+     */
+    JournalReader read(String address, Optional<JournalPart> known) throws JournalException;
 }

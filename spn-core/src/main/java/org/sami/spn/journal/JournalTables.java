@@ -24,6 +24,7 @@ public final class JournalTables {
     private final HashChain chain = new HashChain();
     private final SnapshotSchedule schedule;
     private final TelemetryTable telemetry = new TelemetryTable();
+    private JournalPart read;
     private Connection connection;
     private RowWriter writer;
     private Attachments attachments;
@@ -43,6 +44,7 @@ public final class JournalTables {
             JournalOptions options) {
         this.where = where;
         this.header = contents.header();
+        this.read = JournalPart.of(contents);
         this.recovery = recovery;
         this.schedule = new SnapshotSchedule(options, contents.snapshots().keySet());
         this.end = new End(contents.lastChecksum(), contents.lastValid(), contents.lastMillis());
@@ -58,17 +60,38 @@ public final class JournalTables {
     }
 
     /**
+     * The header of a journal, read alone.
+     *
+     * @param where named in faults
+     * @throws JournalException where it does not hold, or the journal's missions ran by other rules of firing ({@link RuleVersion})
+     */
+    public static JournalHeader header(String where, Connection connection) throws JournalException {
+        JournalHeader header = HeaderTable.read(where, connection).header();
+        refuseOtherRules(where, header);
+        return header;
+    }
+
+    /**
      * Goes through a whole journal once, to go on after its last valid entry. Nothing is changed.
      *
      * @param where named in faults
+     * @param known what was read before, and is not read again; where the journal is another one by now, all is
      * @throws JournalException where its header does not hold, or its missions ran by other rules of firing ({@link RuleVersion})
      */
-    public static JournalTables open(String where, Connection connection, RowWriter writer, JournalOptions options)
+    public static JournalTables open(
+            String where, Connection connection, RowWriter writer, Optional<JournalPart> known, JournalOptions options)
             throws JournalException {
-        Contents contents = Scan.of(where, connection);
+        Optional<Contents> on =
+                known.isPresent() ? Scan.on(where, connection, known.get().contents()) : Optional.empty();
+        Contents contents = on.isPresent() ? on.get() : Scan.of(where, connection);
         refuseOtherRules(where, contents.header());
-        return new JournalTables(
+        JournalTables tables = new JournalTables(
                 where, connection, writer, contents, new Recovery(contents.lastValid(), contents.damage()), options);
+        tables.read = new JournalPart(
+                contents,
+                on.isPresent() ? known.flatMap(JournalPart::state) : Optional.empty(),
+                on.isPresent() ? known.get().telemetry() : JournalPart.KeptTelemetry.NONE);
+        return tables;
     }
 
     static void refuseOtherRules(String where, JournalHeader header) throws JournalException {
@@ -81,6 +104,11 @@ public final class JournalTables {
     /** The journal's header. */
     public JournalHeader header() {
         return header;
+    }
+
+    /** What was read when it was opened, with what was known before. */
+    public JournalPart read() {
+        return read;
     }
 
     /** What was found when it was opened. */

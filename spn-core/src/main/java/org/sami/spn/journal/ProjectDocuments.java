@@ -5,6 +5,8 @@ import java.sql.PreparedStatement;
 import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import org.sami.spn.protocol.Input;
 
@@ -52,6 +54,24 @@ final class ProjectDocuments {
         } catch (SQLException damagedOrNoTable) {
             return Optional.empty();
         }
+    }
+
+    /** All documents that are what they were, by their SHA-256. */
+    Map<String, String> all() {
+        Map<String, String> all = new LinkedHashMap<>();
+        try (PreparedStatement select = connection.prepareStatement("SELECT sha256, content FROM documents");
+                ResultSet rows = select.executeQuery()) {
+            while (rows.next()) {
+                String sha256 = rows.getString(1);
+                String content = rows.getString(2);
+                if (sha256 != null && content != null && isOf(content, sha256)) {
+                    all.put(sha256, content);
+                }
+            }
+        } catch (SQLException damagedOrNoTable) {
+            return all;
+        }
+        return all;
     }
 
     private static boolean isOf(String document, String sha256) {

@@ -1,9 +1,9 @@
 package org.sami.spn.journal;
 
 import java.sql.Connection;
+import java.sql.PreparedStatement;
 import java.sql.ResultSet;
 import java.sql.SQLException;
-import java.sql.Statement;
 import java.util.NavigableMap;
 import java.util.NavigableSet;
 import java.util.Optional;
@@ -44,6 +44,46 @@ final class Scan {
         return new Scan(where, connection).run();
     }
 
+    /**
+     * What is true in the file by now, of which a part was read before: only what is behind that is read.
+     *
+     * @param known what was read before
+     * @return empty where that is not in the file any more
+     */
+    static Optional<Contents> on(String where, Connection connection, Contents known) throws JournalException {
+        return new Scan(where, connection).goOn(known);
+    }
+
+    private Optional<Contents> goOn(Contents known) throws JournalException {
+        last = known.lastValid();
+        lastMillis = known.lastMillis();
+        checksum = known.lastChecksum();
+        if (!isThere(known)) {
+            return Optional.empty();
+        }
+        snapshots.putAll(known.snapshots());
+        marks.putAll(known.marks());
+        snapshotIndexes = indexes("snapshots");
+        markIndexes = indexes("marks");
+        remember();
+        entries();
+        return Optional.of(new Contents(known.header(), last, lastMillis, checksum, snapshots, marks, damage));
+    }
+
+    private boolean isThere(Contents known) throws JournalException {
+        if (last == 0) {
+            return HeaderTable.read(where, connection).checksum().equals(checksum);
+        }
+        try (PreparedStatement select = connection.prepareStatement("SELECT checksum FROM entries WHERE idx = ?")) {
+            select.setLong(1, last);
+            try (ResultSet row = select.executeQuery()) {
+                return row.next() && known.lastChecksum().is(bytes(row, 1));
+            }
+        } catch (SQLException fault) {
+            throw new JournalException(where, last, "cannot be read: " + fault.getMessage(), fault);
+        }
+    }
+
     private Contents run() throws JournalException {
         HeaderTable.Read header = HeaderTable.read(where, connection);
         checksum = header.checksum();
@@ -55,12 +95,14 @@ final class Scan {
     }
 
     private void entries() {
-        try (Statement statement = connection.createStatement();
-                ResultSet rows =
-                        statement.executeQuery("SELECT idx, at_millis, input, checksum FROM entries ORDER BY idx")) {
-            while (rows.next()) {
-                if (!follows(rows.getLong(1), rows.getLong(2), bytes(rows, 3), bytes(rows, 4))) {
-                    return;
+        try (PreparedStatement select = connection.prepareStatement(
+                "SELECT idx, at_millis, input, checksum FROM entries WHERE idx > ? ORDER BY idx")) {
+            select.setLong(1, last == 0 ? Long.MIN_VALUE : last); // an index below 1 is damage as well
+            try (ResultSet rows = select.executeQuery()) {
+                while (rows.next()) {
+                    if (!follows(rows.getLong(1), rows.getLong(2), bytes(rows, 3), bytes(rows, 4))) {
+                        return;
+                    }
                 }
             }
         } catch (SQLException fault) {
@@ -101,10 +143,12 @@ final class Scan {
 
     private NavigableSet<Long> indexes(String table) {
         NavigableSet<Long> indexes = new TreeSet<>();
-        try (Statement statement = connection.createStatement();
-                ResultSet rows = statement.executeQuery("SELECT idx FROM " + table)) {
-            while (rows.next()) {
-                indexes.add(rows.getLong(1));
+        try (PreparedStatement select = connection.prepareStatement("SELECT idx FROM " + table + " WHERE idx >= ?")) {
+            select.setLong(1, last);
+            try (ResultSet rows = select.executeQuery()) {
+                while (rows.next()) {
+                    indexes.add(rows.getLong(1));
+                }
             }
         } catch (SQLException fault) {
             note("the " + table + " cannot be read: " + fault.getMessage());

@@ -57,7 +57,7 @@ public final class SqliteJournal implements StoredJournal {
                 contents,
                 new Recovery(contents.lastValid(), damage),
                 options);
-        this.history = new History(file.toString(), database.connection(), contents);
+        this.history = new History(file.toString(), database.connection(), contents, Optional.empty());
         this.power = new PowerSync(Database.log(file), options.syncWithinMillis(), this::writeTelemetry);
     }
 

@@ -52,4 +52,7 @@ public interface StoredJournal extends InputJournal {
      * @param engine built from this journal's plans and vocabulary ({@link #header()})
      */
     EngineState restore(Engine engine) throws IOException;
+
+    /** The session goes on: what was kept in memory for its beginning is let go. */
+    default void begun() {}
 }

@@ -5,7 +5,9 @@ import java.sql.PreparedStatement;
 import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -27,24 +29,34 @@ final class TelemetryScan {
     private final List<TelemetryRow> rows = new ArrayList<>();
     private final List<Long> positions = new ArrayList<>();
     private final List<Boolean> summed = new ArrayList<>();
+    private final Map<String, String> names = new HashMap<>();
     private long damaged;
     private boolean sumsBegan;
     private Optional<String> unreadable = Optional.empty();
     private long at;
 
-    /** Of a file. */
+    /** Of a file, all of it. */
     TelemetryScan(Database database) {
-        this(database.connection(), () -> new SumsOfTable(database.hasTelemetrySums(), database.hasAllTelemetrySums()));
+        this(database, 0);
     }
 
-    /** Of a database whose rows all have checksums. */
-    TelemetryScan(Connection connection) {
-        this(connection, () -> new SumsOfTable(true, true));
+    /** Of a file, from a row on. */
+    TelemetryScan(Database database, long first) {
+        this(
+                database.connection(),
+                () -> new SumsOfTable(database.hasTelemetrySums(), database.hasAllTelemetrySums()),
+                first);
     }
 
-    private TelemetryScan(Connection connection, Sums sums) {
+    /** Of a database whose rows all have checksums, from a row on. */
+    TelemetryScan(Connection connection, long first) {
+        this(connection, () -> new SumsOfTable(true, true), first);
+    }
+
+    private TelemetryScan(Connection connection, Sums sums, long first) {
         this.connection = connection;
         this.sums = sums;
+        this.at = first;
     }
 
     /** What a table says of the checksums of its rows. */
@@ -71,8 +83,16 @@ final class TelemetryScan {
         } catch (SQLException fault) {
             unreadable = Optional.of(String.valueOf(fault.getMessage()));
         }
+        if (!positions.isEmpty()) {
+            at = positions.get(positions.size() - 1) + 1;
+        }
         dropImpossibleTimes();
         return new Telemetry(rows, damage());
+    }
+
+    /** Where the rows behind those that {@link #run} has read begin. */
+    long next() {
+        return at;
     }
 
     /** Reads from a position to the end; false if something on the way cannot be read. */
@@ -108,7 +128,7 @@ final class TelemetryScan {
             damaged++;
             return;
         }
-        TelemetryRow row = new TelemetryRow(found.getLong(2), proxy, kind, json);
+        TelemetryRow row = new TelemetryRow(found.getLong(2), once(proxy), once(kind), json);
         if (hasSum && TelemetryTable.sum(row) != sum) {
             damaged++;
             return;
@@ -117,6 +137,11 @@ final class TelemetryScan {
         rows.add(row);
         positions.add(position);
         summed.add(hasSum);
+    }
+
+    /** Rows are kept in memory, and many have the same few names. */
+    private String once(String name) {
+        return names.computeIfAbsent(name, first -> first);
     }
 
     /** Without a checksum, a row that is later than those after it did not happen then. */

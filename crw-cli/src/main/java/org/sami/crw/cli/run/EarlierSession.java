@@ -2,10 +2,13 @@ package org.sami.crw.cli.run;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.session.archive.SessionJournal;
+import org.sami.crw.session.standby.WarmStandby;
 import org.sami.spn.journal.JournalAddress;
+import org.sami.spn.journal.JournalHeader;
 
 /** A session that an earlier process began, or that another base holds still, in its journal. */
 final class EarlierSession {
@@ -28,12 +31,21 @@ final class EarlierSession {
     }
 
     /**
-     * One that another base holds: opening it waits for the end of that base's lease.
+     * One that another base holds: opening it waits for the end of that base's lease, and reads the session meanwhile.
      *
      * @param lines what is waited for, for people
      */
     static EarlierSession ofAnotherBase(JournalAddress journal, Consumer<String> lines) {
-        return new EarlierSession(journal, () -> SessionJournal.takeOver(journal, lines));
+        return new EarlierSession(journal, () -> {
+            Optional<JournalHeader> header = journal.header();
+            if (header.isPresent()) {
+                refuseRun(journal, header.get());
+            }
+            try (WarmStandby warm =
+                    new WarmStandby(journal, lines, System::nanoTime, () -> Rehearsal.begin(journal, lines))) {
+                return SessionJournal.takeOver(journal, lines, warm::finish);
+            }
+        });
     }
 
     /** Whether there is one; a file's name that is taken by anything is no new journal. */
@@ -49,13 +61,18 @@ final class EarlierSession {
      */
     SessionJournal open() throws IOException {
         SessionJournal opened = opening.open();
-        String kind = opened.header()
-                .map(header -> header.settings().getOrDefault("kind", ""))
-                .orElse("");
-        if (!kind.equals("session")) {
+        try {
+            refuseRun(journal, opened.header().orElseThrow());
+        } catch (UsageFault refused) {
             opened.close();
-            throw new UsageFault(journal + " is the journal of a run; go on with it by: crw resume " + journal);
+            throw refused;
         }
         return opened;
+    }
+
+    private static void refuseRun(JournalAddress journal, JournalHeader header) {
+        if (!header.settings().getOrDefault("kind", "").equals("session")) {
+            throw new UsageFault(journal + " is the journal of a run; go on with it by: crw resume " + journal);
+        }
     }
 }

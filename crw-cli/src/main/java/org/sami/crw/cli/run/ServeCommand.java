@@ -109,8 +109,8 @@ public final class ServeCommand implements Callable<Integer> {
 
     @Option(
             names = "--standby",
-            description = "Wait while another base holds the session of --journal postgresql://..., and go on with it"
-                    + " once that base's lease is over.")
+            description = "Wait while another base holds the session of --journal postgresql://..., read it meanwhile,"
+                    + " and go on with it once that base's lease is over.")
     private boolean standby;
 
     @Option(

@@ -18,9 +18,14 @@ import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.cli.CommandResult;
 import org.sami.crw.cli.CrwProcess;
+import org.sami.spn.engine.Engine;
+import org.sami.spn.engine.EngineState;
+import org.sami.spn.engine.StateCodec;
 import org.sami.spn.host.JournalEntry;
 import org.sami.spn.journal.JournalAddress;
+import org.sami.spn.journal.JournalPlans;
 import org.sami.spn.journal.JournalReader;
+import org.sami.spn.protocol.Effect;
 import org.sami.work.postgres.testing.TestDatabase;
 
 /** Two bases on one journal in PostgreSQL, and boats, all of them processes: the base that runs a mission is killed in its middle, and its standby goes on with it. */
@@ -57,6 +62,7 @@ class StandbyTakesOverTest {
                             serve(journal, "--connect", fleet.addresses(), "--script", script("mission", MISSION));
                     CrwProcess standby = serve(journal, "--standby")) {
                 await(standby, "standby: the session is held by ");
+                await(standby, "standby: warm: applied up to entry ");
                 for (String boat : BOATS) {
                     Await.until(boat + " is under way", AT_MOST_S, () -> isUnderWay(fleet, boat) || !first.isAlive());
                 }
@@ -66,6 +72,7 @@ class StandbyTakesOverTest {
                 first.kill();
 
                 await(standby, AT);
+                assertThat(standby.out()).contains("standby: applied up to entry " + before.size() + ", ");
                 CommandResult front = front(standby);
                 assertThat(front.exitCode()).as(front.out() + front.err()).isZero();
                 assertThat(front.out()).contains("1  clv  ended");
@@ -74,10 +81,26 @@ class StandbyTakesOverTest {
             assertThat(entries(journal))
                     .as("the inputs before the kill")
                     .startsWith(before.toArray(JournalEntry[]::new));
+            assertReplaysToTheEndOfTheMission(journal);
             for (String boat : BOATS) {
                 assertThat(fleet.commandIds(boat)).as(boat).isNotEmpty().doesNotHaveDuplicates();
                 assertGoesOnAlongItsList(fleet, boat);
             }
+        }
+    }
+
+    /** An engine that steps through all entries of both bases ends where theirs did. */
+    private static void assertReplaysToTheEndOfTheMission(String journal) throws IOException {
+        JournalAddress address = JournalAddress.parse(journal);
+        try (JournalReader reader = address.read()) {
+            Engine engine = JournalPlans.engine(address, reader.header());
+            EngineState state = engine.newState();
+            List<Effect> effects = new ArrayList<>();
+            reader.entries().forEach(entry -> effects.addAll(engine.step(state, entry.atMillis(), entry.input())));
+            assertThat(effects).hasAtLeastOneElementOfType(Effect.MissionEnded.class);
+            assertThat(engine.view(state).missions()).isEmpty();
+            assertThat(StateCodec.encode(reader.stateAt(reader.lastIndex(), engine)))
+                    .isEqualTo(StateCodec.encode(state));
         }
     }
 

@@ -4,9 +4,11 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.spn.engine.Engine;
@@ -18,6 +20,7 @@ import org.sami.spn.host.NoJournal;
 import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.journal.JournalOptions;
+import org.sami.spn.journal.JournalPart;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.StoredJournal;
 import org.sami.spn.journal.Telemetry;
@@ -34,6 +37,7 @@ public final class SessionJournal implements Closeable {
     private final boolean resumed;
     private final long cameToMillis;
     private final Optional<String> telemetryDamage;
+    private volatile Optional<List<TelemetryRow>> earlier = Optional.empty(); // until the session begins
 
     private SessionJournal(StoredJournal journal) {
         stored = Optional.of(journal);
@@ -51,6 +55,7 @@ public final class SessionJournal implements Closeable {
         resumed = true;
         cameToMillis = earlier.rows().stream().mapToLong(TelemetryRow::atMillis).reduce(inputs.lastMillis(), Math::max);
         telemetryDamage = earlier.damage();
+        this.earlier = Optional.of(List.copyOf(earlier.rows()));
     }
 
     private SessionJournal(InputJournal inputs, Optional<JournalHeader> header) {
@@ -119,7 +124,7 @@ public final class SessionJournal implements Closeable {
      * @throws IOException if it is no journal, is damaged from its head, or another process writes it
      */
     public static SessionJournal open(JournalAddress address) throws IOException {
-        return resumed(address, address.open(JournalOptions.DEFAULT));
+        return resumed(address.open(JournalOptions.DEFAULT));
     }
 
     /**
@@ -127,15 +132,17 @@ public final class SessionJournal implements Closeable {
      *
      * @param address in a database that both bases reach
      * @param lines what is waited for, for people
+     * @param ahead what of the journal was read meanwhile; asked once, when nobody else can write any more
      * @throws java.io.InterruptedIOException if the thread is interrupted
      * @throws IOException if the database refuses the first connection, or the journal cannot be opened
      */
-    public static SessionJournal takeOver(JournalAddress address, Consumer<String> lines) throws IOException {
-        return resumed(address, address.takeOver(JournalOptions.DEFAULT, lines));
+    public static SessionJournal takeOver(
+            JournalAddress address, Consumer<String> lines, Supplier<Optional<JournalPart>> ahead) throws IOException {
+        return resumed(address.takeOver(JournalOptions.DEFAULT, lines, ahead));
     }
 
-    private static SessionJournal resumed(JournalAddress address, StoredJournal journal) throws IOException {
-        try (JournalReader reader = address.read()) {
+    private static SessionJournal resumed(StoredJournal journal) throws IOException {
+        try (JournalReader reader = journal.reader()) {
             return new SessionJournal(journal, reader.telemetry());
         } catch (IOException | RuntimeException fault) {
             journal.close();
@@ -171,12 +178,33 @@ public final class SessionJournal implements Closeable {
 
     /** The telemetry of earlier processes, in order, as far as it is undamaged. */
     public List<TelemetryRow> earlier() throws IOException {
-        if (!resumed) {
-            return List.of();
+        Optional<List<TelemetryRow>> read = earlier;
+        if (!resumed || read.isPresent()) {
+            return read.orElse(List.of());
         }
         try (JournalReader reader = stored.orElseThrow().reader()) {
             return reader.telemetry().rows();
         }
+    }
+
+    /**
+     * The projects that earlier processes loaded, by the SHA-256 of their documents.
+     *
+     * @throws IOException if the journal cannot be read
+     */
+    public Map<String, String> earlierDocuments() throws IOException {
+        if (!resumed) {
+            return Map.of();
+        }
+        try (JournalReader reader = stored.orElseThrow().reader()) {
+            return reader.documents();
+        }
+    }
+
+    /** The session goes on: what was kept in memory for its beginning is let go. */
+    public void begun() {
+        earlier = Optional.empty();
+        stored.ifPresent(StoredJournal::begun);
     }
 
     /** Gives the entries of earlier processes, in order. */

@@ -25,7 +25,7 @@ import org.sami.spn.value.GeoPoint;
 public final class SessionTelemetry {
     private static final System.Logger LOG = System.getLogger(SessionTelemetry.class.getName());
     private static final ObjectMapper JSON = TelemetryForms.JSON;
-    private static final String POSE = "pose";
+    static final String POSE = "pose";
     private static final String VISITED = "visited";
     private static final String LINKED = "linked";
     private static final String LOST = "lost";
@@ -221,7 +221,7 @@ public final class SessionTelemetry {
         List<String> senseless = new ArrayList<>();
         for (TelemetryRow row : rows) {
             try {
-                read(row, JSON.readTree(row.json()), reader);
+                read(row, reader);
             } catch (IOException | IllegalArgumentException fault) {
                 LOG.log(System.Logger.Level.DEBUG, "telemetry that makes no sense: " + row, fault);
                 senseless.add((row.kind() + " " + row.proxy()).strip());
@@ -230,13 +230,18 @@ public final class SessionTelemetry {
         return senseless;
     }
 
+    private static void read(TelemetryRow row, Reader reader) throws IOException {
+        if (row.kind().equals(POSE)) { // most rows are poses: read without a tree
+            TelemetryForms.Pose pose = TelemetryForms.POSES.readValue(row.json());
+            reader.pose(row.atMillis(), row.proxy(), pose.report(), pose.distanceM());
+        } else {
+            read(row, JSON.readTree(row.json()), reader);
+        }
+    }
+
     private static void read(TelemetryRow row, JsonNode json, Reader reader) throws IOException {
         String boat = row.proxy();
         switch (row.kind()) {
-            case POSE -> {
-                TelemetryForms.Pose pose = TelemetryForms.whole(json, TelemetryForms.Pose.class);
-                reader.pose(row.atMillis(), boat, pose.report(), pose.distanceM());
-            }
             case VISITED ->
                 reader.visited(
                         row.atMillis(),
