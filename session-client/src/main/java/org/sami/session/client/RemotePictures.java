@@ -20,9 +20,9 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.replay.FollowJson;
 import org.sami.crw.session.archive.PictureRows;
-import org.jspecify.annotations.Nullable;
 import org.sami.crw.session.picture.SessionPictures;
 import org.sami.spn.journal.TelemetryRow;
 
@@ -170,14 +170,14 @@ final class RemotePictures implements Closeable {
                 .build();
         return from.client()
                 .sendAsync(
-                request,
-                response -> response.statusCode() == 200
-                                && response.headers()
-                                                .firstValueAsLong("Content-Length")
-                                                .orElse(Long.MAX_VALUE)
-                                        <= MOST_BYTES
-                        ? HttpResponse.BodySubscribers.ofFile(part)
-                        : HttpResponse.BodySubscribers.replacing(part));
+                        request,
+                        response -> response.statusCode() == 200
+                                        && response.headers()
+                                                        .firstValueAsLong("Content-Length")
+                                                        .orElse(Long.MAX_VALUE)
+                                                <= MOST_BYTES
+                                ? HttpResponse.BodySubscribers.ofFile(part)
+                                : HttpResponse.BodySubscribers.replacing(part));
     }
 
     private static String encoded(String text) {

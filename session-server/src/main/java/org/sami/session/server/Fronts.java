@@ -54,13 +54,7 @@ final class Fronts implements AutoCloseable {
     private long ticks;
 
     /** Fronts of a session; none is connected. */
-    Fronts(
-            Session session,
-            People people,
-            RobotKind robots,
-            SessionBases bases,
-            Tickets tickets,
-            LongSupplier nanos) {
+    Fronts(Session session, People people, RobotKind robots, SessionBases bases, Tickets tickets, LongSupplier nanos) {
         this.session = session;
         this.people = people;
         this.robots = robots;

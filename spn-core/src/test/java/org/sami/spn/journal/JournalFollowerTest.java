@@ -59,8 +59,8 @@ class JournalFollowerTest {
         words.put(
                 "events.json",
                 "{\"events\": [{\"name\": \"Go\", \"direction\": \"output\", \"label\": \"Go\", \"help\": \"Goes.\","
-                    + " \"answers\": [\"Went\"]}, {\"name\": \"Went\", \"direction\": \"input\", \"label\": \"Went\","
-                    + " \"help\": \"Went.\"}]}");
+                        + " \"answers\": [\"Went\"]}, {\"name\": \"Went\", \"direction\": \"input\", \"label\": \"Went\","
+                        + " \"help\": \"Went.\"}]}");
         return words;
     }
 
