@@ -9,6 +9,7 @@ import java.sql.Connection;
 import java.time.Clock;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -202,7 +203,7 @@ class PairFaultTest {
     }
 
     private StoredJournal standBy(TwoBases bases) throws IOException {
-        return address(bases.second).takeOver(JournalOptions.DEFAULT, said::add);
+        return address(bases.second).takeOver(JournalOptions.DEFAULT, said::add, Optional::empty);
     }
 
     private static void write(StoredJournal journal, long index) throws IOException {

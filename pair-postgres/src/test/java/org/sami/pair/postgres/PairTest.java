@@ -11,6 +11,7 @@ import java.time.Clock;
 import java.time.LocalTime;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -102,7 +103,7 @@ class PairTest {
     }
 
     private static StoredJournal takeOver(Pair pair, BlockingQueue<String> said) throws IOException {
-        return JournalAddress.parse(pair.journal("sami").text()).takeOver(JournalOptions.DEFAULT, said::add);
+        return JournalAddress.parse(pair.journal("sami").text()).takeOver(JournalOptions.DEFAULT, said::add, Optional::empty);
     }
 
     private static JournalEntry entry(long index) {
