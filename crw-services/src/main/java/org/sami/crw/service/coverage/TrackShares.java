@@ -211,10 +211,10 @@ final class TrackShares {
         return straightM > LEAST_M ? Math.max(1, homeM(names.get(boat), share) / straightM) : 1;
     }
 
-    /** Why a boat gets nothing: it is slow, or its charge does not last for the way to where its piece would be. */
+    /** Why a boat gets nothing: it is slow, maybe in its turns, or its charge does not last for the way to where its piece would be. */
     private String nothing(String boat, CoverageShare piece, boolean home) {
         double wayM = piece.approachM() + (home ? homeM(boat, piece) : 0) + LEAST_M;
-        if (problem.pace(boat) < 1 && wayM <= problem.ranges().of(boat)) {
+        if (wayM <= problem.ranges().of(boat)) {
             return boat + " is so slow that the others explore its part sooner";
         }
         return String.format(
