@@ -2,6 +2,7 @@ package org.sami.session.rows;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
+import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.message.MessageEntry;
 import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.operator.boat.BoatCommunication;
@@ -81,6 +82,11 @@ final class SituationRows {
             row.put("count", entry.count());
             row.put("source", BoatRows.word(entry.message().source()));
             Table.Builder.put(row, "keyword", entry.message().keyword());
+            entry.message()
+                    .map()
+                    .boats()
+                    .filter(MapRelevance.Boats::showPictures)
+                    .ifPresent(shown -> Table.Builder.ids(row, "pictures", shown.boats()));
         }
         return table.build();
     }

@@ -66,6 +66,8 @@ const actions = {
   byHand: (boat) => driving?.node(boat) ?? null,
   /** The newest pictures of a boat. @param {string} boat */
   pictures: (boat) => pictures.strip(pictures.of(boat)),
+  /** The pictures that boats had taken last at a time. @param {string[]} boats @param {number} at */
+  lastPictures: (boats, at) => pictures.strip(boats.flatMap((boat) => pictures.lastOf(boat, at))),
   /** A note at a place that is touched. @param {string} text */
   noteAt: (text) => {
     const points = /** @type {any[]} */ ([]);

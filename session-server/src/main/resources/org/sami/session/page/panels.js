@@ -6,7 +6,7 @@ import {phases} from './phases.js';
 import {readingsOf} from './readings.js';
 
 /** @typedef {import('./link.js').Link} Link */
-/** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null, calls: (decision: any) => boolean, byHand: (boat: any) => HTMLElement | null, pictures: (boat: string) => HTMLElement | null, noteAt: (text: string) => void, refresh: () => void}} Actions */
+/** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null, calls: (decision: any) => boolean, byHand: (boat: any) => HTMLElement | null, pictures: (boat: string) => HTMLElement | null, lastPictures: (boats: string[], at: number) => HTMLElement | null, noteAt: (text: string) => void, refresh: () => void}} Actions */
 
 /** @param {Link} link @param {Actions} actions */
 export function decisions(link, actions) {
@@ -81,6 +81,11 @@ function interrupt(link, actions, one) {
     element('small', {}, [why ?? one.description, one.final].filter(Boolean).join('. ')));
 }
 
+/** What a message's keyword begins with: the session's own name each address behind it. @param {any} one */
+function group(one) {
+  return one.keyword?.split('/')[0];
+}
+
 /** The keyword whose messages are shown; null for all. @type {string | null} */
 let keyword = null;
 /** Always the same, so that a half-typed note stays. @type {HTMLElement | null} */
@@ -89,7 +94,7 @@ let bar = null;
 /** @param {Link} link @param {Actions} actions */
 export function messages(link, actions) {
   const all = link.all('messages');
-  const keywords = [...new Set(all.map((one) => one.keyword).filter(Boolean))].sort();
+  const keywords = [...new Set(all.map(group).filter(Boolean))].sort();
   if (keyword !== null && !keywords.includes(keyword)) {
     keyword = null;
   }
@@ -98,10 +103,11 @@ export function messages(link, actions) {
     actions.refresh();
   }}, word ?? 'All');
   const chips = keywords.length > 0 ? [element('div', {class: 'chips'}, chip(null), ...keywords.map(chip))] : [];
-  const rows = all.filter((one) => keyword === null || one.keyword === keyword).map((one) =>
+  const rows = all.filter((one) => keyword === null || group(one) === keyword).map((one) =>
     element('div', {class: 'row ' + one.priority + (one.acknowledged ? ' seen' : '')},
       element('span', {}, one.text + (one.count > 1 ? ' (' + one.count + ' times)' : '')),
-      element('small', {}, [one.keyword, duration(link.now() - one.at) + ' ago'].filter(Boolean).join(' · ')),
+      element('small', {}, [group(one), duration(link.now() - one.at) + ' ago'].filter(Boolean).join(' · ')),
+      one.pictures ? actions.lastPictures(one.pictures, one.at) : null,
       one.acknowledged || !link.may('answer') ? null : element('button', {onclick: () => actions.command({t: 'acknowledge', message: Number(one.id)})}, 'Seen')));
   return [...chips, ...(rows.length > 0 ? rows : [element('p', {class: 'hint'}, 'No messages.')]), ...(link.may('answer') ? [bar ??= noteBar(actions)] : [])];
 }

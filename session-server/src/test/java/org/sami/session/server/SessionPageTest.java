@@ -253,6 +253,22 @@ class SessionPageTest {
     }
 
     @Test
+    void fleetStopStaysInSightWithTextOfOneAndAHalfTimesTheSize() throws Exception {
+        page.join();
+        browser.value("document.documentElement.style.fontSize = '150%'");
+        browser.value("document.body.style.width = '360px'");
+        browser.click("#tabs button:nth-child(2)");
+
+        assertThat(browser.value("document.documentElement.scrollWidth <= innerWidth")
+                        .asBoolean())
+                .isTrue();
+        assertThat(browser.value("[...document.querySelectorAll('#stop, #tabs button')]"
+                                + ".every(one => one.getBoundingClientRect().right <= 361 && one.offsetHeight >= 48)")
+                        .asBoolean())
+                .isTrue();
+    }
+
+    @Test
     void pageSaysWhenItHasLostTheSession() throws Exception {
         page.join();
         browser.until("document.getElementById('state').textContent.includes('0 of 0')");
