@@ -52,6 +52,11 @@ export class Bases {
     return this.all.map((one) => one.replace(/^wss?:[/][/]/, ''));
   }
 
+  /** Tries a base next that is known. @param {string} address */
+  turnTo(address) {
+    this.at = Math.max(0, this.all.indexOf(address));
+  }
+
   areSeveral() {
     return this.all.length > 1;
   }

@@ -142,6 +142,38 @@ class FrontsFollowTest {
         }
     }
 
+    @Test
+    void frontLeavesABaseThatIsCutOffFromTheJournalOnceAnotherHoldsTheSession() throws Exception {
+        PostgresAddress journal = TestDatabase.address();
+        ExecutorService front = Executors.newSingleThreadExecutor();
+        try (Doorway one = new Doorway();
+                Doorway two = new Doorway();
+                Doorway database = new Doorway()) {
+            String bases = one.address() + "," + two.address();
+            String there = journal.text().split("localhost:")[1].split("/")[0];
+            database.leadTo(Integer.parseInt(there));
+            String through = journal.text().replace("localhost:" + there, "localhost:" + database.port());
+            try (CrwProcess first = serve(through, "--bases", bases);
+                    CrwProcess standby = serve(journal.text(), "--bases", bases, "--standby")) {
+                one.leadTo(port(first, "the session is at "));
+                two.leadTo(port(standby, "standby: it answers at "));
+                await(standby, "standby: the session is held by ");
+                try (RemoteSession anna = open(one.address(), front)) {
+                    get(anna.caughtUp());
+
+                    database.shut();
+
+                    assertThat(heard("connection lost (")).contains(one.address() + " stands still");
+                    assertThat(heard("back at ws")).isEqualTo("back at " + two.address());
+                    assertThat(first.isAlive()).as("the base that is cut off").isTrue();
+                    get(anna.start(PLAN, PLAN, Map.of()));
+                }
+            }
+        } finally {
+            front.shutdown();
+        }
+    }
+
     /** Such as a form asks while somebody types. */
     private static void assertHalfIsJudged(RemoteSession anna, PendingDecision asked) throws Exception {
         DraftAnswer half = DraftAnswer.of(Map.of(POINT, GeoPoint.of(45.4, 10.9)));
