@@ -119,18 +119,18 @@ public final class ServeCommand implements Callable<Integer> {
         if (standby && script != null) {
             throw new UsageFault("--script is carried out by the base that begins the session, not by --standby");
         }
+        SessionBases named = named();
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             if (standby) {
-                return takeOver(stop);
+                return takeOver(named, stop);
             }
-            return options.open(false, (session, begin) -> run(session, begin, address(), stop));
+            return options.open(false, (session, begin) -> run(session, begin, address(), named, stop));
         }
     }
 
-    private int takeOver(StopOnInterrupt stop) throws IOException, InterruptedException {
+    private int takeOver(SessionBases named, StopOnInterrupt stop) throws IOException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
         ServerAddress here = address();
-        SessionBases named = named();
         try (OpenedMap background = OpenedMap.of(Optional.ofNullable(map));
                 StandbyServer waiting =
                         UsageFault.of(() -> StandbyServer.start(people.people(), here, background.tiles(), named))) {
@@ -145,7 +145,7 @@ public final class ServeCommand implements Callable<Integer> {
                     },
                     (session, begin) -> {
                         waiting.close();
-                        return run(session, begin, there, stop);
+                        return run(session, begin, there, named, stop);
                     });
         } catch (InterruptedIOException ended) {
             Thread.interrupted(); // by Ctrl-C, while it waited: nothing was begun
@@ -153,11 +153,11 @@ public final class ServeCommand implements Callable<Integer> {
         }
     }
 
-    private int run(Session session, SessionOptions.Begin begin, ServerAddress at, StopOnInterrupt stop)
+    private int run(
+            Session session, SessionOptions.Begin begin, ServerAddress at, SessionBases named, StopOnInterrupt stop)
             throws IOException {
         PrintWriter out = spec.commandLine().getOut();
         People who = people.people();
-        SessionBases named = named();
         try (OpenedMap background = OpenedMap.of(Optional.ofNullable(map));
                 SessionServer server =
                         UsageFault.of(() -> SessionServer.start(session, who, at, background.tiles(), named))) {
