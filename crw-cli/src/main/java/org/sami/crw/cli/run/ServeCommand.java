@@ -140,7 +140,9 @@ public final class ServeCommand implements Callable<Integer> {
                     new ServerAddress(here.host(), waiting.listensAt().getPort(), here.identity());
             return options.takeOver(
                     line -> {
-                        waiting.say(line);
+                        if (isOfLease(line)) {
+                            waiting.say(line);
+                        }
                         print(out, "standby: " + line);
                     },
                     (session, begin) -> {
@@ -179,6 +181,11 @@ public final class ServeCommand implements Callable<Integer> {
             session.leave().forEach(line -> print(out, line));
             return stoodStill || session.faults().failure().isPresent() ? ExitCode.FAILED : ExitCode.OK;
         }
+    }
+
+    /** Whether a line says who holds the session, for fronts; what else a standby says is for whoever sits at it. */
+    private static boolean isOfLease(String line) {
+        return line.startsWith("the session ") || line.startsWith("the database ") || line.startsWith("nobody ");
     }
 
     /** The map that was named, or none. */
