@@ -49,6 +49,16 @@ final class KnownBases {
         return all.get(at);
     }
 
+    /** Those that are not at hand. */
+    List<SessionAddress> others() {
+        return all.stream().filter(one -> !one.equals(current())).toList();
+    }
+
+    /** Tries a base next that is known. */
+    void turnTo(SessionAddress known) {
+        at = Math.max(0, all.indexOf(known));
+    }
+
     /** Whether there is another than the one at hand. */
     boolean areSeveral() {
         return all.size() > 1;

@@ -183,6 +183,12 @@ final class SessionCopy {
         followed.look();
     }
 
+    /** Whether no mission goes on there, as its base says. */
+    boolean standsStill() {
+        return tables.rows("fleet").stream()
+                .anyMatch(row -> row.path("standStill").asBoolean());
+    }
+
     /** The rows of the session's bases. */
     List<JsonNode> bases() {
         return tables.rows("bases");

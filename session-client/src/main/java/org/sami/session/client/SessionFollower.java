@@ -187,6 +187,7 @@ final class SessionFollower implements LinkListener {
             case "rows" ->
                 copy().ifPresent(known -> {
                     known.rows(message);
+                    link.standsStill(known.standsStill());
                     if (message.path("set").has("bases")) {
                         link.know(known.bases());
                     }

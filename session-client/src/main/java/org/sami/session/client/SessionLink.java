@@ -3,12 +3,8 @@ package org.sami.session.client;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.net.http.HttpClient;
 import java.time.Duration;
-import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -39,10 +35,11 @@ final class SessionLink {
     private final KnownBases bases;
     private final Login login;
     private final ServerTrust trust;
-    private final Map<SessionAddress, HttpClient> clients = new HashMap<>();
+    private final BaseClients clients;
     private final LinkListener listener;
     private final ScheduledExecutorService thread;
     private final OpenRequests requests = new OpenRequests();
+    private final BaseScout scout;
     private Optional<LinkSocket> socket = Optional.empty();
     private volatile long heardNanos = System.nanoTime();
     private boolean welcome; // logged in on this connection
@@ -62,15 +59,10 @@ final class SessionLink {
         this.bases = new KnownBases(bases);
         this.login = login;
         this.trust = trust;
+        clients = new BaseClients(trust);
         this.listener = listener;
         this.thread = thread;
-    }
-
-    private HttpClient client(SessionAddress address) {
-        return clients.computeIfAbsent(address, made -> {
-            HttpClient.Builder builder = HttpClient.newBuilder();
-            return made.secure() ? builder.sslContext(trust.context(made)).build() : builder.build();
-        });
+        scout = new BaseScout(thread, clients, this::leaveFor);
     }
 
     /** Connects, and keeps at it. */
@@ -100,7 +92,7 @@ final class SessionLink {
             }
         });
         LinkSocket.connect(
-                        client(address),
+                        clients.apply(address),
                         address,
                         welcomed ? CONNECTING : COMPARING,
                         text -> ofThisAttempt.accept(() -> take(text)),
@@ -180,19 +172,7 @@ final class SessionLink {
 
     /** Takes up the bases that a base, which is trusted, names with their certificates. */
     void know(Iterable<JsonNode> rows) {
-        List<SessionAddress> named = new ArrayList<>();
-        for (JsonNode row : rows) {
-            try {
-                SessionAddress one = SessionAddress.parse(row.path("id").asText());
-                if (row.has("certificate")) {
-                    trust.announce(one.authority(), row.path("certificate").asText());
-                }
-                named.add(one);
-            } catch (IllegalArgumentException unfit) {
-                // not for this front: such as an address of the base's own machine by another name
-            }
-        }
-        bases.add(named);
+        bases.add(AnnouncedBases.read(rows, trust));
     }
 
     /** Where the session is, or is looked for. On the link's thread. */
@@ -232,6 +212,22 @@ final class SessionLink {
         } else if (beats && welcome && quiet != silent > QUIET_NANOS) {
             quiet = !quiet;
             listener.quiet(quiet);
+        }
+        if (welcome) {
+            scout.look(bases.others(), System.nanoTime());
+        }
+    }
+
+    /** Whether the base at hand says that nothing goes on in its session: another may hold it. On the link's thread. */
+    void standsStill(boolean now) {
+        scout.need(now);
+    }
+
+    private void leaveFor(SessionAddress other) {
+        if (welcome && !over) {
+            String left = bases.current() + " stands still";
+            bases.turnTo(other);
+            lose(left);
         }
     }
 
@@ -293,6 +289,7 @@ final class SessionLink {
         socket.ifPresent(LinkSocket::cut);
         socket = Optional.empty();
         welcome = false;
+        scout.need(false);
         requests.drop(why);
     }
 

@@ -27,15 +27,19 @@ export class Bases {
     this.take(JSON.parse(kept.getItem(KEPT) ?? '[]'));
   }
 
-  /** @param {string[]} addresses */
+  /** The base that served this page and the one at hand stay; others are those that are named now. @param {string[]} addresses */
   take(addresses) {
-    this.all.push(...addresses.filter((one) => !this.all.includes(one)));
+    const current = this.current();
+    this.all = [...new Set([this.all[0], current, ...addresses])];
+    this.at = this.all.indexOf(current);
   }
 
-  /** Takes up the rows of bases, and keeps them for a page that is opened without a base. @param {{id: string}[]} rows */
+  /** Takes up the rows of bases, where there are any, and keeps them for a page that is opened without a base. @param {{id: string}[]} rows */
   add(rows) {
-    this.take(rows.map((row) => row.id));
-    this.kept.setItem(KEPT, JSON.stringify(this.all));
+    if (rows.length > 0) {
+      this.take(rows.map((row) => row.id));
+      this.kept.setItem(KEPT, JSON.stringify(this.all));
+    }
   }
 
   current() {
@@ -50,6 +54,11 @@ export class Bases {
   /** Host and port of all. */
   names() {
     return this.all.map((one) => one.replace(/^wss?:[/][/]/, ''));
+  }
+
+  /** Tries a base next that is known. @param {string} address */
+  turnTo(address) {
+    this.at = Math.max(0, this.all.indexOf(address));
   }
 
   areSeveral() {

@@ -5,6 +5,7 @@ import {Bases} from './bases.js';
 const SILENT_MS = 30000;
 const SILENT_BASE_MS = 5000; // of a base that sends something twice a second
 const QUIET_MS = 1500;
+const SCOUT_MS = 3000;
 
 export class Link {
   /**
@@ -25,6 +26,8 @@ export class Link {
     this.beats = false; // the base sends something twice a second
     this.waits = ''; // what a standby has said
     this.triedAt = 0;
+    this.scoutedAt = 0; // when it was looked last whether another base holds the session
+    this.scouts = 0;
     this.ids = 0;
     /** @type {Map<number, (reply: any) => void>} */
     this.asked = new Map();
@@ -78,8 +81,34 @@ export class Link {
     if (isSilent || answersNot) {
       this.turnAway(true);
     } else {
+      this.scout(now);
       this.listener.changed();
     }
+  }
+
+  /**
+   * Where the base at hand stands still, as it is cut off from the journal, another may hold the session: a standby says at once that it is one, a base that holds it waits for a name.
+   *
+   * @param {number} now
+   */
+  scout(now) {
+    if (!this.isOpen || !this.bases.areSeveral() || !this.all('fleet')[0]?.standStill || now - this.scoutedAt < SCOUT_MS) {
+      return;
+    }
+    this.scoutedAt = now;
+    const others = this.bases.all.filter((one) => one !== this.bases.current());
+    const other = others[this.scouts++ % others.length];
+    const socket = new WebSocket(other + '/session');
+    let isStandby = false;
+    socket.onmessage = () => (isStandby = true);
+    window.setTimeout(() => {
+      const holds = socket.readyState === WebSocket.OPEN && !isStandby;
+      socket.close();
+      if (holds && this.isOpen && this.all('fleet')[0]?.standStill) {
+        this.bases.turnTo(other);
+        this.turnAway();
+      }
+    }, SCOUT_MS - 1000);
   }
 
   /** Leaves the base at hand and tries again, there or at another. */

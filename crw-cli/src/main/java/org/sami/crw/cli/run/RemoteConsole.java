@@ -84,7 +84,9 @@ final class RemoteConsole implements RemoteListener {
 
     @Override
     public void back(SessionAddress base) {
-        print("connected again, at " + base);
+        if (shown.isPresent()) { // else the first line says where it is
+            print("connected again, at " + base);
+        }
     }
 
     @Override

@@ -137,6 +137,7 @@ public final class ServeCommand implements Callable<Integer> {
             throw new UsageFault(
                     "--script is carried out by the base that begins the session, not by one that stands by");
         }
+        named(); // what is wrong with it is said before anything begins
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             if (waits) {
                 return takeOver(paired, stop);
@@ -159,7 +160,9 @@ public final class ServeCommand implements Callable<Integer> {
                     new ServerAddress(here.host(), waiting.listensAt().getPort(), here.identity());
             return options.takeOver(
                     line -> {
-                        waiting.say(line);
+                        if (isOfLease(line)) {
+                            waiting.say(line);
+                        }
                         print(out, "standby: " + line);
                     },
                     (session, begin) -> {
@@ -230,6 +233,11 @@ public final class ServeCommand implements Callable<Integer> {
         public void close() {
             monitor.ifPresent(StandbyMonitor::close);
         }
+    }
+
+    /** Whether a line says who holds the session, for fronts; what else a standby says is for whoever sits at it. */
+    private static boolean isOfLease(String line) {
+        return line.startsWith("the session ") || line.startsWith("the database ") || line.startsWith("nobody ");
     }
 
     /** The map that was named, or none. */

@@ -53,4 +53,15 @@ class PeopleCommandTest {
         assertThat(served.exitCode()).isEqualTo(2);
         assertThat(served.err()).contains("there is no list");
     }
+
+    @Test
+    void baseWithoutItsCertificateIsRefusedBeforeASessionIsBegun() {
+        Path journal = folder.resolve("session.journal");
+        CommandResult served = CommandResult.crw(
+                "serve", "--port", "0", "--journal", journal.toString(), "--bases", "wss://10.0.0.5:8443");
+
+        assertThat(served.exitCode()).isEqualTo(2);
+        assertThat(served.err()).contains("--bases: wss://10.0.0.5:8443 needs the SHA-256 of that base's certificate");
+        assertThat(journal).doesNotExist();
+    }
 }

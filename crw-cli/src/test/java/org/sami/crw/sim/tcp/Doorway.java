@@ -7,10 +7,13 @@ import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 
 /** An address on loopback that is known before the process behind it has one. While nothing listens there, a connection is closed at once. */
 final class Doorway implements Closeable {
     private final ServerSocket listening = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+    private final List<Socket> open = new CopyOnWriteArrayList<>();
     private volatile int behind;
 
     Doorway() throws IOException {
@@ -26,6 +29,19 @@ final class Doorway implements Closeable {
     /** Leads from now on to a port. */
     void leadTo(int port) {
         behind = port;
+    }
+
+    /** Closes all connections; nobody comes through from now on. */
+    void shut() throws IOException {
+        behind = 0;
+        for (Socket one : open) {
+            one.close();
+        }
+    }
+
+    /** Its port. */
+    int port() {
+        return listening.getLocalPort();
     }
 
     /** The address of a session there. */
@@ -47,6 +63,7 @@ final class Doorway implements Closeable {
     private void lead(Socket from) {
         try (from;
                 Socket to = new Socket(InetAddress.getLoopbackAddress(), behind)) {
+            open.addAll(List.of(from, to));
             start(() -> pump(to, from));
             pump(from, to);
         } catch (IOException nobody) {

@@ -43,7 +43,7 @@ import org.sami.ui.window.WindowSettings;
 
 /** The operator's window over a session that one base serves after another: real servers, one session. */
 @Tag("window")
-class RemoteWindowBasesTest {
+class RemoteBasesWindowTest {
     private static final String FIELD = "value-ask-stations-spacing-text";
 
     @TempDir
