@@ -41,8 +41,8 @@ final class EarlierSession {
             if (header.isPresent()) {
                 refuseRun(journal, header.get());
             }
-            try (WarmStandby warm =
-                    new WarmStandby(journal, lines, System::nanoTime, () -> Rehearsal.begin(journal, lines))) {
+            try (Rehearsal rehearsal = new Rehearsal(journal, lines);
+                    WarmStandby warm = new WarmStandby(journal, lines, System::nanoTime, rehearsal::begin)) {
                 return SessionJournal.takeOver(journal, lines, warm::finish);
             }
         });

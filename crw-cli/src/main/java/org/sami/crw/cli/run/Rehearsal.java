@@ -10,6 +10,7 @@ import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.session.fault.FaultPolicy;
 import org.sami.session.person.People;
+import org.sami.session.person.Person;
 import org.sami.session.server.ServerAddress;
 import org.sami.session.server.SessionServer;
 import org.sami.spn.journal.JournalAddress;
@@ -17,48 +18,80 @@ import org.sami.spn.journal.JournalHeader;
 
 /**
  * Opens a session of the same plans beforehand, without a journal and without a boat, and closes it again: what it takes of classes is loaded then, and a take-over need not wait for it. Nothing of it
- * begins, and nobody else reaches it.
+ * begins, and nobody can log in to it.
  */
-final class Rehearsal {
-    private Rehearsal() {}
+final class Rehearsal implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(Rehearsal.class.getName());
+    private static final People NOBODY = new People() {
+        @Override
+        public Optional<Person> login(String name, String key) {
+            return Optional.empty();
+        }
+
+        @Override
+        public Optional<Person> present(Person earlier) {
+            return Optional.empty();
+        }
+
+        @Override
+        public boolean needKeys() {
+            return true;
+        }
+    };
+
+    private final JournalAddress journal;
+    private final Consumer<String> lines;
+    private volatile boolean closed;
 
     /**
-     * Begins one in the background.
+     * One that has not begun.
      *
+     * @param journal that of the session
      * @param lines that it is over, for people
      */
-    static void begin(JournalAddress journal, Consumer<String> lines) {
-        Thread thread = new Thread(
-                () -> {
-                    run(journal);
-                    lines.accept("ready");
-                },
-                "rehearsal");
+    Rehearsal(JournalAddress journal, Consumer<String> lines) {
+        this.journal = journal;
+        this.lines = lines;
+    }
+
+    /** Begins in the background. */
+    void begin() {
+        Thread thread = new Thread(this::run, "rehearsal");
         thread.setDaemon(true);
         thread.start();
     }
 
-    private static void run(JournalAddress journal) {
+    private void run() {
         try {
             Optional<JournalHeader> header = journal.header();
             if (header.isPresent()) {
-                run(header.get());
+                open(header.get());
+                if (!closed) {
+                    lines.accept("ready");
+                }
             }
         } catch (IOException | RuntimeException fault) {
-            System.getLogger(Rehearsal.class.getName()) // a take-over meets the same, or it does not matter
-                    .log(System.Logger.Level.DEBUG, "a rehearsal failed", fault);
+            LOG.log(
+                    System.Logger.Level.DEBUG,
+                    "a rehearsal failed",
+                    fault); // a take-over meets the same, or it does not matter
         }
     }
 
-    private static void run(JournalHeader header) throws IOException {
+    private static void open(JournalHeader header) throws IOException {
         SessionSetup setup = SessionSetup.resumed(SessionJournal.none(header))
                 .with(SessionRuntime.RealTime.ofThisProcess())
                 .with(FaultPolicy.ALONE);
         ServerAddress address = new ServerAddress(InetAddress.getLoopbackAddress(), 0, Optional.empty());
         try (Session session = Session.open(setup);
-                SessionServer server = SessionServer.start(session, People.ofThisMachine(), address)) {
-            System.getLogger(Rehearsal.class.getName())
-                    .log(System.Logger.Level.DEBUG, "rehearsed at {0}", server.url());
+                SessionServer server = SessionServer.start(session, NOBODY, address)) {
+            LOG.log(System.Logger.Level.DEBUG, "rehearsed at {0}", server.url());
         }
+    }
+
+    /** The session is taken over, or nobody waits for it any more: nothing more is said. */
+    @Override
+    public void close() {
+        closed = true;
     }
 }

@@ -274,6 +274,24 @@ class WarmTakeOverTest {
     }
 
     @Test
+    void aSessionThatCannotBeAppliedIsReadWhenItIsTakenOver() throws Exception {
+        StoredJournal holder =
+                address.create(JournalHeader.of("no project", header.vocabulary(), header.settings()), OPTIONS);
+        holder.append(ENTRIES.subList(0, 30), Durability.PROCESS);
+        Standby standby = new Standby();
+        assertThat(standby.await("cannot apply the session after entry 0"))
+                .contains("its project cannot be read")
+                .contains("it is read when it is taken over");
+
+        holder.close();
+
+        standby.await("reads the session now");
+        try (SessionJournal taken = standby.taken.get()) {
+            assertThat(taken.resumedFrom()).hasValue(30);
+        }
+    }
+
+    @Test
     void aRunIsNoSessionToWaitFor() throws Exception {
         Map<String, String> settings = new HashMap<>(header.settings());
         settings.put("kind", "run");
