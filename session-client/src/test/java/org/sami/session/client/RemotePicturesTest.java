@@ -101,7 +101,7 @@ class RemotePicturesTest {
         public void lost(String words) {}
 
         @Override
-        public void back() {}
+        public void back(SessionAddress base) {}
 
         @Override
         public void ended(String why) {}
@@ -115,7 +115,7 @@ class RemotePicturesTest {
 
     private RemoteSession open() throws Exception {
         return RemoteSession.open(
-                SessionAddress.parse("wss://127.0.0.1:" + server.listensAt().getPort()),
+                List.of(SessionAddress.parse("wss://127.0.0.1:" + server.listensAt().getPort())),
                 new Login("otto", "key of otto"),
                 new ServerTrust(new KnownServers(folder.resolve("servers")), (address, print) -> true),
                 front,

@@ -32,7 +32,6 @@ import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
 import org.sami.pair.postgres.StandbyMonitor;
 import org.sami.pair.postgres.StandbyPresence;
-import org.sami.session.map.TileFile;
 import org.sami.session.person.People;
 import org.sami.session.server.ServerAddress;
 import org.sami.session.server.SessionBases;
@@ -238,24 +237,6 @@ public final class ServeCommand implements Callable<Integer> {
     /** Whether a line says who holds the session, for fronts; what else a standby says is for whoever sits at it. */
     private static boolean isOfLease(String line) {
         return line.startsWith("the session ") || line.startsWith("the database ") || line.startsWith("nobody ");
-    }
-
-    /** The map that was named, or none. */
-    private record OpenedMap(Optional<TileFile> tiles) implements AutoCloseable {
-        static OpenedMap of(Optional<Path> file) {
-            try {
-                return new OpenedMap(file.isPresent() ? Optional.of(TileFile.open(file.get())) : Optional.empty());
-            } catch (IOException unfit) {
-                throw new UsageFault("--map: " + unfit.getMessage());
-            }
-        }
-
-        @Override
-        public void close() throws IOException {
-            if (tiles.isPresent()) {
-                tiles.get().close();
-            }
-        }
     }
 
     private void waitFor(Session session, CountDownLatch broken, PrintWriter out, StopOnInterrupt stop)
