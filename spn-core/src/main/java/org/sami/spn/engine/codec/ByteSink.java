@@ -9,7 +9,7 @@ final class ByteSink {
     private static final int MOST_BYTES = 10;
 
     private final boolean compact;
-    private byte[] bytes = new byte[512];
+    private byte[] bytes = new byte[1024];
     private int length;
 
     /**

@@ -29,7 +29,9 @@ public final class CanonicalEncoder {
     /** The bytes, equal for two states of one engine that mean the same. */
     public byte[] write() {
         List<List<MissionState>> trees = trees();
-        List<MissionState> written = trees.stream().flatMap(List::stream).toList();
+        List<MissionState> written = trees.size() == 1
+                ? trees.get(0)
+                : trees.stream().flatMap(List::stream).toList();
         CanonicalNumbers numbers = new CanonicalNumbers(state.missions, written);
         ProtocolEncoder out = ProtocolEncoder.canonical(numbers::mission);
         trees.forEach(tree -> tree(tree, numbers, out));
@@ -43,6 +45,9 @@ public final class CanonicalEncoder {
 
     /** Missions by root, each root's in the order in which they started. */
     private List<List<MissionState>> trees() {
+        if (state.missions.size() == 1) {
+            return List.of(List.copyOf(state.missions.values()));
+        }
         Map<MissionState, List<MissionState>> byRoot = new HashMap<>();
         List<List<MissionState>> trees = new ArrayList<>();
         for (MissionState m : state.missions.values()) {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.state.Instance;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NamedToken;
@@ -146,8 +147,8 @@ final class CanonicalMission {
         out.integer(v.sent.size());
         for (SentActivation s : v.sent) {
             out.number(numbers.activation(s.activation.id()));
-            out.text(s.activation.event());
-            out.content(s.activation);
+            out.integer(v.place.place.indexOf(s.output));
+            out.content(s.activation, v.entered);
             out.flag(s.decision != Ids.NONE);
             if (s.decision != Ids.NONE) {
                 out.content(state.decision(s.decision).decision);
@@ -155,14 +156,19 @@ final class CanonicalMission {
         }
     }
 
-    private void place(PlaceState place) {
-        List<PlacedToken> tokens = place == null ? List.of() : place.inOrder();
-        out.integer(tokens.size());
-        for (PlacedToken e : tokens) {
-            out.token(e.token);
-            out.number(numbers.visit(e.visit));
+    private void place(@Nullable PlaceState place) {
+        if (place == null) {
+            out.integer(0);
+            out.integer(0);
+            out.integer(0);
+            return;
         }
-        SharedRun[] shared = place == null ? SharedRun.NONE : place.shared;
+        out.integer(place.total());
+        place.forEach((token, visit) -> {
+            out.token(token);
+            out.number(numbers.visit(visit));
+        });
+        SharedRun[] shared = place.shared;
         out.integer(shared.length);
         for (SharedRun run : shared) {
             instance(run.instance);
@@ -172,7 +178,7 @@ final class CanonicalMission {
                 out.text(r.value);
             });
         }
-        if (place == null || place.lastVisits == null || place.lastVisits.isEmpty()) {
+        if (place.lastVisits == null || place.lastVisits.isEmpty()) {
             out.integer(0);
             return;
         }

@@ -68,15 +68,38 @@ public final class ProtocolEncoder extends ValueEncoder {
         text(a.priority().name());
     }
 
+    /**
+     * The content of an activation where the tokens that entered with it are written already.
+     *
+     * @param entered these tokens: mostly those of the activation, which are then not written again
+     */
+    void content(Activation a, List<Token> entered) {
+        boolean same = a.tokens().equals(entered);
+        flag(same);
+        fields(a);
+        if (!same) {
+            tokens(a.tokens());
+        }
+        allocation(a);
+    }
+
     /** What an activation is given when its place is entered; the rest says its plan. */
     void content(Activation a) {
+        fields(a);
+        tokens(a.tokens());
+        allocation(a);
+    }
+
+    private void fields(Activation a) {
         values(a.values());
         integer(a.taskValues().size());
         for (Map.Entry<TaskId, Map<String, Value>> e : a.taskValues().entrySet()) {
             value(e.getKey());
             values(e.getValue());
         }
-        tokens(a.tokens());
+    }
+
+    private void allocation(Activation a) {
         integer(a.allocation().size());
         a.allocation().forEach((task, proxy) -> {
             value(task);

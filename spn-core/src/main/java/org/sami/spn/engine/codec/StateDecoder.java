@@ -249,7 +249,7 @@ public final class StateDecoder {
             Activation activation = in.activation();
             SentActivation s = new SentActivation(activation, v, output);
             s.open = !ended;
-            v.sent.add(s);
+            v.addSent(s);
             sent.put(activation.id(), s);
             if (!ended || remembered > 0) {
                 state.sent.put(activation.id(), s);

@@ -218,7 +218,7 @@ public final class StateEncoder {
         instances.forEach(this::instance);
         out.integer(v.sent.size());
         for (SentActivation s : v.sent) {
-            out.integer(List.of(v.place.place.outputs).indexOf(s.output));
+            out.integer(v.place.place.indexOf(s.output));
             out.activation(s.activation);
         }
     }

@@ -33,6 +33,15 @@ public final class CompiledPlace {
         place.subMissions().forEach(s -> (s.shared() ? shared : dynamic).add(s));
     }
 
+    /** The position of one of its output events. */
+    public int indexOf(CompiledOutput output) {
+        int i = 0;
+        while (outputs[i] != output) {
+            i++;
+        }
+        return i;
+    }
+
     public boolean isEnd() {
         return place.end();
     }

@@ -37,7 +37,7 @@ final class Activating {
         for (CompiledOutput output : v.place.place.outputs) {
             SentActivation sent = new SentActivation(resolve(v, output), v, output);
             if (!ending) {
-                v.sent.add(sent);
+                v.addSent(sent);
                 rules.state.sent.put(sent.activation.id(), sent);
             }
             rules.emit(new Effect.Activated(sent.activation));

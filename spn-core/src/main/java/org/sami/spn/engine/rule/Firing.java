@@ -119,7 +119,7 @@ public final class Firing {
         }
         boolean ending = ends(m, ct);
         List<Visit> nobody = endingVisitsByNobody(m, ct, used, scope.reach);
-        List<PlacedToken> removed = selected.removed.inOrder();
+        List<PlacedToken> removed = selected.removed;
         List<Visit> entered = move(m, ct, selected);
         if (scope.reach == Reach.ALL) {
             withdrawCommands(m, removed);
@@ -182,7 +182,7 @@ public final class Firing {
 
     /** Removes, then adds; the visits that begin, in out-edge order. */
     private List<Visit> move(MissionState m, CompiledTransition t, SelectedTokens selected) {
-        rules.removal.remove(selected.removed.inOrder());
+        rules.removal.remove(selected.removed);
         List<Visit> entered = new ArrayList<>(t.outs.length);
         for (int i = 0; i < t.outs.length; i++) {
             CompiledTransition.Out out = t.outs[i];

@@ -17,7 +17,7 @@ import org.sami.spn.engine.state.TransitionState;
  */
 final class FiringAgenda {
     private final Consumer<TransitionState> look;
-    private final ArrayDeque<TransitionState> list = new ArrayDeque<>();
+    private final ArrayDeque<TransitionState> list = new ArrayDeque<>(4);
     private final List<PlaceState> withdrawnFrom = new ArrayList<>();
 
     /**

@@ -7,37 +7,34 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.state.PlacedToken;
 
-/** Tokens of the marking, each once, in the order in which they were picked. A few are looked through; of more there is a table. */
+/** Tokens of the marking that a firing has picked already. A few are looked through; of more there is a table. Used again for each firing. */
 final class PickedTokens {
     private static final int FEW = 8;
 
-    private final List<PlacedToken> inOrder = new ArrayList<>(2);
+    private final List<PlacedToken> few = new ArrayList<>(FEW);
     private @Nullable Set<PlacedToken> many;
 
     /** Adds a token; says whether it was not among them. */
     boolean add(PlacedToken e) {
-        if (contains(e)) {
+        if (many != null) {
+            return many.add(e);
+        }
+        if (few.contains(e)) {
             return false;
         }
-        inOrder.add(e);
-        if (many != null) {
-            many.add(e);
-        } else if (inOrder.size() > FEW) {
-            many = new HashSet<>(inOrder);
+        if (few.size() == FEW) {
+            many = new HashSet<>(few);
+            return many.add(e);
         }
-        return true;
+        return few.add(e);
     }
 
     boolean contains(PlacedToken e) {
-        return many == null ? inOrder.contains(e) : many.contains(e);
+        return many == null ? few.contains(e) : many.contains(e);
     }
 
     void clear() {
-        inOrder.clear();
+        few.clear();
         many = null;
-    }
-
-    List<PlacedToken> inOrder() {
-        return inOrder;
     }
 }

@@ -15,7 +15,7 @@ public final class RuleStep {
     public final NetState state;
 
     /** What the engine says to itself, taken one by one whenever the work list is empty. */
-    private final ArrayDeque<Runnable> ownInputs = new ArrayDeque<>();
+    private final ArrayDeque<Runnable> ownInputs = new ArrayDeque<>(2);
 
     private Consumer<? super Effect> sink = e -> {};
 

@@ -19,10 +19,7 @@ final class SelectedTokens {
     /** A returned token that a firing uses though no token of the parent stands for it. */
     record UsedReturn(Instance instance, Token token) {}
 
-    final PickedTokens removed = new PickedTokens();
-    /** Tokens of the marking that the edge at hand adds. */
-    private final PickedTokens addedByEdge = new PickedTokens();
-
+    final List<PlacedToken> removed = new ArrayList<>(4);
     final List<List<Token>> added = new ArrayList<>(4);
     final List<TokenMove> moves = new ArrayList<>(4);
     /** Named tokens that were made for the edge at hand: copies of them are not added to it again. */
@@ -30,6 +27,20 @@ final class SelectedTokens {
 
     final List<UsedReturn> usedReturns = new ArrayList<>(0);
     final List<String> shortOf = new ArrayList<>(0);
+
+    private final PickedTokens removedOnce;
+    private final PickedTokens addedByEdge;
+
+    /**
+     * Nothing yet.
+     *
+     * @param removedOnce an empty set, for as long as tokens are selected
+     * @param addedByEdge another
+     */
+    SelectedTokens(PickedTokens removedOnce, PickedTokens addedByEdge) {
+        this.removedOnce = removedOnce;
+        this.addedByEdge = addedByEdge;
+    }
 
     /** Begins with the next edge. */
     void nextEdge() {
@@ -40,7 +51,8 @@ final class SelectedTokens {
     /** Applies an action to one selected token of the pool. */
     void use(PlacedToken e, Action action, CompiledTransition.Out out, List<Token> added) {
         Optional<String> from = Optional.empty();
-        if (action != Action.ADD && removed.add(e)) {
+        if (action != Action.ADD && removedOnce.add(e)) {
+            removed.add(e);
             from = e.place().place.inMoves;
         }
         Optional<String> to = Optional.empty();

@@ -24,6 +24,8 @@ final class Selection {
     private final Enabling enabling;
     private final TokenPool pool;
     private final List<PlacedToken> picked = new ArrayList<>();
+    private final PickedTokens removedOnce = new PickedTokens();
+    private final PickedTokens addedByEdge = new PickedTokens();
 
     Selection(Enabling enabling, TokenPool pool) {
         this.enabling = enabling;
@@ -31,7 +33,7 @@ final class Selection {
     }
 
     SelectedTokens select(TransitionState t, RelevantTokens relevant, FiringScope scope) {
-        SelectedTokens result = new SelectedTokens();
+        SelectedTokens result = new SelectedTokens(removedOnce, addedByEdge);
         for (CompiledTransition.Out out : t.transition.outs) {
             List<Token> added = new ArrayList<>(2);
             result.nextEdge();
@@ -40,6 +42,8 @@ final class Selection {
             }
             result.added.add(added);
         }
+        removedOnce.clear();
+        addedByEdge.clear();
         return result;
     }
 

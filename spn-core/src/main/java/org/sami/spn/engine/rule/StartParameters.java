@@ -104,7 +104,7 @@ final class StartParameters {
 
     /** Values by {@code eventId.field}: given ones and locked ones. */
     Map<String, Value> given() {
-        return given;
+        return given.isEmpty() ? Map.of() : given; // a mission that waits keeps it: most plans ask nothing
     }
 
     Map<String, Value> variables() {

@@ -14,9 +14,32 @@ public final class ById<T> {
     /** Times 2 to the 64, odd. */
     private static final long GOLDEN_RATIO = 0x9E3779B97F4A7C15L;
 
-    private long[] ids = new long[SMALLEST]; // 0 = free; a power of two, at most half of it in use
-    private @Nullable Object[] things = new Object[SMALLEST];
+    private long[] ids; // 0 = free; a power of two, at most two thirds of it in use
+    private @Nullable Object[] things;
     private int size;
+
+    /** Without a thing yet. */
+    ById() {
+        this(0);
+    }
+
+    /**
+     * Without a thing yet.
+     *
+     * @param room for so many things there is room at once
+     */
+    ById(int room) {
+        int length = SMALLEST;
+        while (isFull(room, length)) {
+            length *= 2;
+        }
+        ids = new long[length];
+        things = new Object[length];
+    }
+
+    private static boolean isFull(int size, int length) {
+        return size * 3L > length * 2L;
+    }
 
     /** What has that id; null if nothing has. */
     @SuppressWarnings("unchecked") // only put writes things
@@ -28,7 +51,7 @@ public final class ById<T> {
     public void put(long id, T thing) {
         int at = find(id);
         if (ids[at] == 0) {
-            if (++size * 2 > ids.length) {
+            if (isFull(++size, ids.length)) {
                 grow(ids.length * 2);
                 at = find(id);
             }
@@ -72,17 +95,6 @@ public final class ById<T> {
             }
         }
         return all;
-    }
-
-    /** Makes room for as many things at once. */
-    void makeRoom(int count) {
-        int wanted = ids.length;
-        while (count * 2 > wanted) {
-            wanted *= 2;
-        }
-        if (wanted > ids.length) {
-            grow(wanted);
-        }
     }
 
     private void grow(int length) {

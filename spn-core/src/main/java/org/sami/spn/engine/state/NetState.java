@@ -35,7 +35,7 @@ public final class NetState {
     public long stamp;
 
     public final Map<Long, MissionState> missions = new LinkedHashMap<>();
-    public final ById<SentActivation> sent = new ById<>();
+    public final ById<SentActivation> sent;
     public final Map<Long, OpenDecision> decisions = new LinkedHashMap<>();
     public final TreeSet<RunningTimer> timers = new TreeSet<>();
     public final Map<String, Value> globals = new LinkedHashMap<>();
@@ -55,8 +55,29 @@ public final class NetState {
     public NetState(CompiledProject project) {
         this.first = project;
         this.newest = project;
+        sent = new ById<>();
         project.project.globals().forEach(v -> v.initial().ifPresent(value -> globals.put(v.name(), value)));
         attentive = new ArrayList<>(Collections.nCopies(project.typeCount(), Map.of()));
+    }
+
+    /** The same projects and robots as another state's, the same numbers and values, and no missions yet. */
+    NetState(NetState other) {
+        first = other.first;
+        newest = other.newest;
+        robots = other.robots;
+        now = other.now;
+        lastMission = other.lastMission;
+        lastActivation = other.lastActivation;
+        lastVisit = other.lastVisit;
+        lastDecision = other.lastDecision;
+        lastTimer = other.lastTimer;
+        firings = other.firings;
+        stamp = other.stamp;
+        sent = new ById<>(other.sent.size() + 1); // the step that follows asks for something, mostly
+        globals.putAll(other.globals);
+        memory.putAll(other.memory);
+        discardedNews.putAll(other.discardedNews);
+        attentive = new ArrayList<>(Collections.nCopies(other.attentive.size(), Map.of()));
     }
 
     /** The ids of the known robots, in the order in which they came. */
@@ -85,11 +106,6 @@ public final class NetState {
         left.remove(id);
         robots = Collections.unmodifiableMap(left);
         return true;
-    }
-
-    /** Knows the same robots as another state. */
-    void knowRobotsOf(NetState other) {
-        robots = other.robots;
     }
 
     /** The project whose plans missions have that start from now on. Knows the types of all versions before it. */

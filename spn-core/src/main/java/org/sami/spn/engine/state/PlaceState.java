@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledPlace;
 import org.sami.spn.protocol.Token;
@@ -20,8 +21,11 @@ public final class PlaceState {
 
     public final MissionState mission;
     public final CompiledPlace place;
-    /** How many tokens of each kind stand here, then how many of each kind running instances hold. */
-    private final int[] counts = new int[2 * PlacedToken.KINDS];
+    private int generic;
+    private int proxies;
+    private int tasks;
+    /** How many of each kind running instances hold; null where none ever did. */
+    private int @Nullable [] held;
 
     private @Nullable Visit firstHere;
     private @Nullable Visit lastHere;
@@ -47,27 +51,42 @@ public final class PlaceState {
     }
 
     public int total() {
-        return counts[0] + counts[1] + counts[2];
+        return generic + proxies + tasks;
     }
 
     /** How many tokens of a kind stand here. */
     public int count(int kind) {
-        return counts[kind];
+        return switch (kind) {
+            case PlacedToken.GENERIC -> generic;
+            case PlacedToken.PROXY -> proxies;
+            default -> tasks;
+        };
+    }
+
+    private void count(int kind, int more) {
+        switch (kind) {
+            case PlacedToken.GENERIC -> generic += more;
+            case PlacedToken.PROXY -> proxies += more;
+            default -> tasks += more;
+        }
     }
 
     /** How many of them are held by running instances. */
     public int held(int kind) {
-        return counts[PlacedToken.KINDS + kind];
+        return held == null ? 0 : held[kind];
     }
 
     /** More of them are held, or fewer. */
     void hold(int kind, int more) {
-        counts[PlacedToken.KINDS + kind] += more;
+        if (held == null) {
+            held = new int[PlacedToken.KINDS];
+        }
+        held[kind] += more;
     }
 
     /** The oldest token of a kind, or null. */
     public @Nullable PlacedToken first(int kind) {
-        return counts[kind] == 0 ? null : next(firstHere, 0, kind);
+        return count(kind) == 0 ? null : next(firstHere, 0, kind);
     }
 
     /** The next token of the kind of one that stands here, or null. */
@@ -154,7 +173,7 @@ public final class PlaceState {
     }
 
     private int namedTokens() {
-        return counts[PlacedToken.PROXY] + counts[PlacedToken.TASK];
+        return proxies + tasks;
     }
 
     private Map<Token, List<PlacedToken>> named() {
@@ -200,10 +219,9 @@ public final class PlaceState {
             return;
         }
         for (int i = first; i >= 0; i = v.nextStanding(i + 1)) {
-            int kind = v.kindAt(i);
-            counts[kind]++;
+            count(v.kindAt(i), 1);
             if (v.held) {
-                hold(kind, 1);
+                hold(v.kindAt(i), 1);
             }
         }
         v.previousHere = lastHere;
@@ -223,7 +241,7 @@ public final class PlaceState {
         Visit v = e.visit;
         int kind = e.kind();
         v.leave(e.index);
-        counts[kind]--;
+        count(kind, -1);
         if (v.held) {
             hold(kind, -1);
         }
@@ -257,6 +275,15 @@ public final class PlaceState {
         }
         v.previousHere = null;
         v.nextHere = null;
+    }
+
+    /** Gives the tokens in order of entry, each with its visit. */
+    public void forEach(BiConsumer<Token, Visit> standing) {
+        for (Visit v = firstHere; v != null; v = v.nextHere) {
+            for (int i = v.nextStanding(0); i >= 0; i = v.nextStanding(i + 1)) {
+                standing.accept(v.entered.get(i), v);
+            }
+        }
     }
 
     /** Tokens in order of entry. */

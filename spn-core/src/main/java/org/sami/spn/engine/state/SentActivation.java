@@ -25,7 +25,16 @@ public final class SentActivation {
         this.activation = activation;
         this.visit = visit;
         this.output = output;
-        this.hasTasks = activation.tokens().stream().anyMatch(Token.Task.class::isInstance);
+        this.hasTasks = hasTasks(activation.tokens());
+    }
+
+    private static boolean hasTasks(List<Token> tokens) {
+        for (Token token : tokens) {
+            if (token instanceof Token.Task) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private SentActivation(SentActivation old, Visit visit) {

@@ -2,10 +2,11 @@ package org.sami.spn.engine.state;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.sami.spn.value.Value;
 
@@ -16,23 +17,19 @@ import org.sami.spn.value.Value;
 public final class StateCopy {
     private final NetState from;
     private final NetState to;
-    /** Visits that were copied, in parallel to their copies, and an index of them that is made when one is first asked for. */
-    private final List<Visit> copied = new ArrayList<>();
-
-    private final List<Visit> made = new ArrayList<>();
-    private final Map<Visit, Visit> copies = new HashMap<>();
+    /** The copies of visits that were asked for, with those of their missions; and of visits that have ended. */
+    private final Map<Visit, Visit> copies = new HashMap<>(0);
+    /** Missions whose visits are all among them. Most copies ask for none. */
+    private final Set<MissionState> indexed = new HashSet<>(0);
     /** Returns that pending occurrences tell; a visit's instance has its return in no list. Looked up only, never gone through. */
-    private final Map<Return, Return> returns = new HashMap<>();
+    private final Map<Return, Return> returns = new HashMap<>(0);
 
     /** The copy of the mission that was asked for last: mostly the next one is of it too. */
     private @Nullable MissionState copiedMission;
 
     private StateCopy(NetState from) {
         this.from = from;
-        this.to = new NetState(from.first);
-        if (from.newest() != from.first) {
-            to.load(from.newest());
-        }
+        this.to = new NetState(from);
     }
 
     /** An independent state that behaves in the same way for all further inputs. */
@@ -41,20 +38,6 @@ public final class StateCopy {
     }
 
     private NetState copy() {
-        to.now = from.now;
-        to.lastMission = from.lastMission;
-        to.lastActivation = from.lastActivation;
-        to.lastVisit = from.lastVisit;
-        to.lastDecision = from.lastDecision;
-        to.lastTimer = from.lastTimer;
-        to.firings = from.firings;
-        to.stamp = from.stamp;
-        to.knowRobotsOf(from);
-        to.sent.makeRoom(from.sent.size());
-        to.globals.clear();
-        to.globals.putAll(from.globals);
-        to.memory.putAll(from.memory);
-        to.discardedNews.putAll(from.discardedNews);
         from.missions.values().forEach(this::copy); // a parent stands before its children
         from.decisions.values().forEach(this::copy);
         from.timers.forEach(this::add);
@@ -118,8 +101,12 @@ public final class StateCopy {
 
     /** The copy of a visit; of one that has ended it is made when first asked for. */
     private Visit visit(Visit wanted) {
-        for (int i = copies.size(); i < copied.size(); i++) {
-            copies.put(copied.get(i), made.get(i));
+        if (indexed.add(wanted.place.mission)) {
+            Visit copy = place(wanted.place).mission.firstVisit();
+            for (Visit v = wanted.place.mission.firstVisit(); v != null && copy != null; v = v.next) {
+                copies.put(v, copy);
+                copy = copy.next;
+            }
         }
         Visit copy = copies.get(wanted);
         return copy != null ? copy : copy(wanted);
@@ -133,8 +120,9 @@ public final class StateCopy {
         v.held = old.held;
         v.used = old.used;
         v.remembered = old.remembered;
-        copied.add(old);
-        made.add(v);
+        if (old.ended) {
+            copies.put(old, v);
+        }
         if (!old.ended && old.hasInstances()) {
             v.instances = new ArrayList<>(old.instances.size());
             place.addInstanceVisit(v);
@@ -145,7 +133,7 @@ public final class StateCopy {
         for (SentActivation s : old.sent) {
             SentActivation sent = s.copy(v);
             sent.open = !old.ended;
-            v.sent.add(sent);
+            v.addSent(sent);
             if (!old.ended || old.remembered > 0) {
                 to.sent.put(sent.activation.id(), sent);
             }

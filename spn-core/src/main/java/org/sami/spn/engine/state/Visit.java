@@ -31,7 +31,8 @@ public final class Visit {
     Visit nextHere;
 
     public boolean ended;
-    public final List<SentActivation> sent = new ArrayList<>(1);
+    /** In the order in which they were sent. */
+    public List<SentActivation> sent = List.of();
     /** Dynamic instances, none for most places. */
     public List<Instance> instances = List.of();
     /** Whether an instance runs or was aborted: its tokens are outside every pool. */
@@ -199,6 +200,18 @@ public final class Visit {
             }
         }
         return -1;
+    }
+
+    /** An activation was sent for it. */
+    public void addSent(SentActivation activation) {
+        if (sent.isEmpty()) {
+            sent = List.of(activation); // mostly the only one: a list that may grow takes twice the room
+            return;
+        }
+        if (sent.size() == 1) {
+            sent = new ArrayList<>(sent);
+        }
+        sent.add(activation);
     }
 
     public boolean hasInstances() {
