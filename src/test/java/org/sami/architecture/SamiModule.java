@@ -44,7 +44,7 @@ enum SamiModule {
     /** The engine, its host and journal. Who embeds it gets no library of layouts and no wizard. */
     SPN_CORE(
             "spn-core",
-            190,
+            215,
             List.of(
                     "org.sami.spn.engine..",
                     "org.sami.spn.host..",
@@ -55,7 +55,7 @@ enum SamiModule {
                     "org.sami.spn.testcase.."),
             List.of(SPN_LANGUAGE)),
     /** Journals in PostgreSQL. */
-    JOURNAL_POSTGRES("journal-postgres", 20, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
+    JOURNAL_POSTGRES("journal-postgres", 26, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
     /** Work that several machines divide, in PostgreSQL: at the addresses, and by the connections, of journals there. */
     WORK_POSTGRES("work-postgres", 10, List.of("org.sami.work.postgres.."), List.of(JOURNAL_POSTGRES)),
     /** Two bases of which one replicates the other. */
@@ -134,7 +134,7 @@ enum SamiModule {
     /** A session in another process, for fronts here. */
     SESSION_CLIENT(
             "session-client",
-            20,
+            34,
             List.of("org.sami.session.client.."),
             List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** The course: its content, the grading of quizzes and jobs, and what learners have done. No window, no boat. */

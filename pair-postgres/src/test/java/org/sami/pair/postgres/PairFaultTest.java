@@ -76,11 +76,11 @@ class PairFaultTest {
             assertThatThrownBy(() -> journal.append(List.of(entry(1)), Durability.POWER))
                     .isInstanceOf(IOException.class);
 
-            Pair.open(bases.first).goAlone();
+            BasePair.open(bases.first).goAlone();
             await(State.ALONE);
             recover(journal);
             write(journal, journal.lastIndex() + 1);
-            assertThatThrownBy(Pair.open(bases.second)::goAlone)
+            assertThatThrownBy(BasePair.open(bases.second)::goAlone)
                     .isInstanceOf(PairException.class)
                     .hasMessageContaining("this base is the standby");
         }
@@ -91,7 +91,7 @@ class PairFaultTest {
         try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER);
                 StandbyMonitor monitor = monitor(bases);
                 StoredJournal journal = create(bases)) {
-            StandbyPresence presence = Pair.open(bases.second).standBy();
+            StandbyPresence presence = BasePair.open(bases.second).standBy();
             await(State.PROTECTED);
 
             assertThat(presence.leave()).isTrue();
@@ -133,7 +133,7 @@ class PairFaultTest {
                 StoredJournal journal = create(bases)) {
             await(State.PROTECTED);
             write(journal, 1);
-            Pair second = Pair.open(bases.second);
+            BasePair second = BasePair.open(bases.second);
             Future<StoredJournal> waiting = thread.submit(() -> standBy(bases));
             awaitWords("the session is held by");
 
@@ -157,7 +157,7 @@ class PairFaultTest {
             await(State.PROTECTED);
             StoredJournal journal = create(bases);
             write(journal, 1);
-            Pair second = Pair.open(bases.second);
+            BasePair second = BasePair.open(bases.second);
             Future<StoredJournal> waiting = thread.submit(() -> standBy(bases));
             awaitWords("the session is held by");
             PairDatabase.of(bases.first).stop();
@@ -176,7 +176,7 @@ class PairFaultTest {
     }
 
     private StandbyMonitor monitor(TwoBases bases) throws IOException {
-        return Pair.open(bases.first).monitor(Clock.systemUTC(), (now, since) -> protections.add(now));
+        return BasePair.open(bases.first).monitor(Clock.systemUTC(), (now, since) -> protections.add(now));
     }
 
     private void await(State state) throws InterruptedException {
@@ -194,7 +194,7 @@ class PairFaultTest {
     }
 
     private static JournalAddress address(PairFolder folder) throws IOException {
-        return JournalAddress.parse(Pair.open(folder).journal("sami").text());
+        return JournalAddress.parse(BasePair.open(folder).journal("sami").text());
     }
 
     private static StoredJournal create(TwoBases bases) throws IOException {

@@ -48,10 +48,10 @@ class PairTest {
     @Test
     void aSessionIsProtectedOnceTheSecondBaseFollowsAndGoesOnThereWithAllEntriesWhenTheFirstIsLost() throws Exception {
         try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER)) {
-            Pair first = Pair.open(bases.first);
-            Pair second = Pair.open(bases.second);
-            assertThat(first.checkedPart()).isEqualTo(Pair.Part.DATABASE);
-            assertThat(second.checkedPart()).isEqualTo(Pair.Part.REPLICA);
+            BasePair first = BasePair.open(bases.first);
+            BasePair second = BasePair.open(bases.second);
+            assertThat(first.checkedPart()).isEqualTo(BasePair.Part.DATABASE);
+            assertThat(second.checkedPart()).isEqualTo(BasePair.Part.REPLICA);
             StandbyMonitor monitor = first.monitor(Clock.systemUTC(), this::add);
             awaitLine("protected");
             StoredJournal journal = create(first);
@@ -68,7 +68,7 @@ class PairTest {
                 assertThat(gone.lastIndex()).isEqualTo(2);
                 gone.append(List.of(entry(3)), Durability.POWER);
             }
-            assertThat(second.checkedPart()).isEqualTo(Pair.Part.DATABASE);
+            assertThat(second.checkedPart()).isEqualTo(BasePair.Part.DATABASE);
             assertThatThrownBy(() -> journal.append(List.of(entry(3)), Durability.POWER))
                     .isInstanceOf(IOException.class);
 
@@ -79,7 +79,7 @@ class PairTest {
                     .hasMessageContaining("crw pair rejoin");
             Path kept = PairDatabase.of(bases.first).copyAgain("replaced");
             assertThat(kept).isDirectory();
-            assertThat(first.checkedPart()).isEqualTo(Pair.Part.REPLICA);
+            assertThat(first.checkedPart()).isEqualTo(BasePair.Part.REPLICA);
             try (StandbyMonitor ofSecond = second.monitor(Clock.systemUTC(), this::add)) {
                 awaitLine("protected: " + bases.firstAddress);
             }
@@ -97,12 +97,12 @@ class PairTest {
         }
     }
 
-    private static StoredJournal create(Pair pair) throws IOException {
+    private static StoredJournal create(BasePair pair) throws IOException {
         return JournalAddress.parse(pair.journal("sami").text())
                 .create(JournalHeader.of("plans", Map.of(), Map.of("kind", "session")), JournalOptions.DEFAULT);
     }
 
-    private static StoredJournal takeOver(Pair pair, BlockingQueue<String> said) throws IOException {
+    private static StoredJournal takeOver(BasePair pair, BlockingQueue<String> said) throws IOException {
         return JournalAddress.parse(pair.journal("sami").text()).takeOver(JournalOptions.DEFAULT, said::add, Optional::empty);
     }
 

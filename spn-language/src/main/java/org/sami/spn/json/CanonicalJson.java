@@ -93,10 +93,10 @@ public final class CanonicalJson {
                     .map(CanonicalJson::inline)
                     .collect(Collectors.joining(", ", "[", "]"));
         }
-        return ProtocolJson.text(node);
+        return JsonText.text(node);
     }
 
     private static String quote(String text) {
-        return ProtocolJson.text(TextNode.valueOf(text));
+        return JsonText.text(TextNode.valueOf(text));
     }
 }

@@ -66,4 +66,13 @@ final class JsonText {
     private static String firstLine(String message) {
         return message == null ? "not JSON" : message.lines().findFirst().orElse("not JSON");
     }
+
+    /** A tree as one line. */
+    static String text(JsonNode node) {
+        try {
+            return MAPPER.writeValueAsString(node);
+        } catch (JsonProcessingException e) {
+            throw new IllegalStateException("A tree of nodes is always JSON", e);
+        }
+    }
 }

@@ -25,7 +25,7 @@ public final class ProtocolJson {
     public static String inputText(Input input) {
         return input instanceof Input.Received received
                 ? ReceivedText.write(received.occurrence())
-                : text(InputWriter.write(input));
+                : JsonText.text(InputWriter.write(input));
     }
 
     /**
@@ -74,13 +74,5 @@ public final class ProtocolJson {
     /** A token: {@code "generic"}, {@code {"proxy": id}} or {@code {"task": {...}}}. */
     public static JsonNode token(Token token) {
         return EffectWriter.token(token);
-    }
-
-    static String text(JsonNode node) {
-        try {
-            return JsonText.MAPPER.writeValueAsString(node);
-        } catch (JsonProcessingException e) {
-            throw new IllegalStateException("A tree of nodes is always JSON", e);
-        }
     }
 }

@@ -52,7 +52,7 @@ final class ReceivedText {
             text.append(']');
         }
         if (!o.values().isEmpty()) {
-            text.append(",\"values\":").append(ProtocolJson.text(InputWriter.values(o.values())));
+            text.append(",\"values\":").append(JsonText.text(InputWriter.values(o.values())));
         }
         return text.append('}').toString();
     }

@@ -22,7 +22,7 @@ class ValueJsonTest {
             ValueType type = random.type(3);
             Value value = random.value(type);
 
-            String text = ProtocolJson.text(ValueJson.write(value, type, RandomValues.TYPES));
+            String text = JsonText.text(ValueJson.write(value, type, RandomValues.TYPES));
 
             Reading<Value> reading = ValueJson.read(text, type, RandomValues.TYPES);
             assertThat(reading.findings()).as(text).isEmpty();
@@ -36,7 +36,7 @@ class ValueJsonTest {
         for (int i = 0; i < ROUNDS; i++) {
             Value value = random.value(random.type(3));
 
-            JsonNode node = JsonText.MAPPER.readTree(ProtocolJson.text(ValueJson.tagged(value)));
+            JsonNode node = JsonText.MAPPER.readTree(JsonText.text(ValueJson.tagged(value)));
 
             assertThat(ValueJson.fromTagged(node).orThrow()).isEqualTo(value);
         }

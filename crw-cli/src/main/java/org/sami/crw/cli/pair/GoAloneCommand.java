@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.UsageFault;
-import org.sami.pair.postgres.Pair;
+import org.sami.pair.postgres.BasePair;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -29,7 +29,7 @@ final class GoAloneCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        Pair pair = Pair.open(folder.folder());
+        BasePair pair = BasePair.open(folder.folder());
         String other = pair.settings().other();
         if (!confirm) {
             throw new UsageFault("if " + other + " still runs 'crw serve --pair', it may have gone on with the session,"

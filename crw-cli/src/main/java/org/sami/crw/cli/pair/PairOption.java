@@ -3,7 +3,7 @@ package org.sami.crw.cli.pair;
 import java.io.IOException;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.sami.pair.postgres.Pair;
+import org.sami.pair.postgres.BasePair;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
@@ -31,6 +31,6 @@ public final class PairOption {
      * @throws org.sami.pair.postgres.PairException if there is none, or this base must not have the session
      */
     public Optional<PairedBase> open() throws IOException {
-        return name == null ? Optional.empty() : Optional.of(PairedBase.of(Pair.open(folder.folder()), name));
+        return name == null ? Optional.empty() : Optional.of(PairedBase.of(BasePair.open(folder.folder()), name));
     }
 }

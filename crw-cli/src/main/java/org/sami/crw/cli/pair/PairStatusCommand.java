@@ -3,7 +3,7 @@ package org.sami.crw.cli.pair;
 import java.io.IOException;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.output.ExitCode;
-import org.sami.pair.postgres.Pair;
+import org.sami.pair.postgres.BasePair;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -24,7 +24,7 @@ final class PairStatusCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        spec.commandLine().getOut().println(Pair.open(folder.folder()).standing());
+        spec.commandLine().getOut().println(BasePair.open(folder.folder()).standing());
         return ExitCode.OK;
     }
 }

@@ -9,7 +9,7 @@ import org.sami.crw.operator.HealthModel;
 import org.sami.crw.operator.health.HealthFault;
 import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.session.Session;
-import org.sami.pair.postgres.Pair;
+import org.sami.pair.postgres.BasePair;
 import org.sami.pair.postgres.Protection;
 import org.sami.pair.postgres.StandbyMonitor;
 import org.sami.pair.postgres.StandbyPresence;
@@ -23,18 +23,18 @@ public final class PairedBase {
 
     private static final DateTimeFormatter SECONDS = DateTimeFormatter.ofPattern("HH:mm:ss");
 
-    private final Pair pair;
+    private final BasePair pair;
     private final JournalAddress journal;
     private final boolean standsBy;
 
-    private PairedBase(Pair pair, JournalAddress journal, boolean standsBy) {
+    private PairedBase(BasePair pair, JournalAddress journal, boolean standsBy) {
         this.pair = pair;
         this.journal = journal;
         this.standsBy = standsBy;
     }
 
-    static PairedBase of(Pair pair, String name) throws IOException {
-        boolean standsBy = pair.checkedPart() == Pair.Part.REPLICA;
+    static PairedBase of(BasePair pair, String name) throws IOException {
+        boolean standsBy = pair.checkedPart() == BasePair.Part.REPLICA;
         return new PairedBase(pair, JournalAddress.parse(pair.journal(name).text()), standsBy);
     }
 

@@ -11,7 +11,7 @@ import org.sami.crw.cli.output.UsageFault;
 import org.sami.journal.postgres.DatabaseFaults;
 import org.sami.journal.postgres.PostgresAddress;
 import org.sami.journal.postgres.TakeOver;
-import org.sami.pair.postgres.Pair;
+import org.sami.pair.postgres.BasePair;
 import org.sami.pair.postgres.PairException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -74,8 +74,8 @@ public final class TakeOverCommand implements Callable<Integer> {
     }
 
     private Optional<String> ofPair() throws IOException {
-        Pair pair = Pair.open(folder.folder());
-        if (pair.part() == Pair.Part.DATABASE) {
+        BasePair pair = BasePair.open(folder.folder());
+        if (pair.part() == BasePair.Part.DATABASE) {
             throw new PairException("this base has the session's database: nothing is to be taken over here");
         }
         Optional<String> loss = pair.lossOfTakeOver();

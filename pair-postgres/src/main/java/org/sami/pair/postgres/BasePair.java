@@ -12,7 +12,7 @@ import org.sami.journal.postgres.PostgresAddress;
 import org.sami.journal.postgres.TakeOver;
 
 /** This base as one of a pair: what it is at present, and what a person asks of it. Each call asks databases, some of another machine: for no event thread. */
-public final class Pair {
+public final class BasePair {
     private static final int PROMOTION_SECONDS = 30;
 
     private final PairFolder folder;
@@ -27,7 +27,7 @@ public final class Pair {
         REPLICA
     }
 
-    private Pair(PairFolder folder, PairSettings settings) {
+    private BasePair(PairFolder folder, PairSettings settings) {
         this.folder = folder;
         this.settings = settings;
         this.connections = new PairConnections(folder, settings);
@@ -38,8 +38,8 @@ public final class Pair {
      *
      * @throws PairException if there is no pair, or the database does not start
      */
-    public static Pair open(PairFolder folder) throws IOException {
-        Pair pair = new Pair(folder, folder.settings());
+    public static BasePair open(PairFolder folder) throws IOException {
+        BasePair pair = new BasePair(folder, folder.settings());
         PairDatabase database = PairDatabase.of(folder);
         if (!database.isRunning()) {
             database.start();
@@ -96,7 +96,7 @@ public final class Pair {
                                 ? "the standby goes on by itself, and the other base stops before that"
                                 : "the base that has the session goes on, the standby only by 'crw take-over'")
                 .append(System.lineSeparator());
-        text.append("this base, ").append(settings.here()).append(": ").append(this.<String>own(Pair::standing));
+        text.append("this base, ").append(settings.here()).append(": ").append(this.<String>own(BasePair::standing));
         text.append(System.lineSeparator())
                 .append("the other, ")
                 .append(settings.other())
