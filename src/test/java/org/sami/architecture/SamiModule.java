@@ -134,7 +134,7 @@ enum SamiModule {
     /** A session in another process, for fronts here. */
     SESSION_CLIENT(
             "session-client",
-            34,
+            28,
             List.of("org.sami.session.client.."),
             List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** The course: its content, the grading of quizzes and jobs, and what learners have done. No window, no boat. */

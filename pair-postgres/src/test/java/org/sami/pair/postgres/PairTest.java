@@ -103,7 +103,8 @@ class PairTest {
     }
 
     private static StoredJournal takeOver(BasePair pair, BlockingQueue<String> said) throws IOException {
-        return JournalAddress.parse(pair.journal("sami").text()).takeOver(JournalOptions.DEFAULT, said::add, Optional::empty);
+        return JournalAddress.parse(pair.journal("sami").text())
+                .takeOver(JournalOptions.DEFAULT, said::add, Optional::empty);
     }
 
     private static JournalEntry entry(long index) {

@@ -115,7 +115,8 @@ class RemotePicturesTest {
 
     private RemoteSession open() throws Exception {
         return RemoteSession.open(
-                List.of(SessionAddress.parse("wss://127.0.0.1:" + server.listensAt().getPort())),
+                List.of(SessionAddress.parse(
+                        "wss://127.0.0.1:" + server.listensAt().getPort())),
                 new Login("otto", "key of otto"),
                 new ServerTrust(new KnownServers(folder.resolve("servers")), (address, print) -> true),
                 front,

@@ -1,6 +1,5 @@
 package org.sami.spn.json;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Optional;
 import org.sami.spn.protocol.Activation;
