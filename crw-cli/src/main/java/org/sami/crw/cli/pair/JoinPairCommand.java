@@ -41,7 +41,7 @@ final class JoinPairCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         out.println("this base, " + read.settings().here() + ", follows the database of "
                 + read.settings().other() + " in " + folder.folder().path());
-        out.println("on both: crw serve --pair; the first that is started has the session, the second stands by");
+        out.println("on both: crw serve --pair; " + read.settings().other() + " has the session, this base stands by");
         out.println(invitation + " is not needed any more: delete it");
         return ExitCode.OK;
     }
