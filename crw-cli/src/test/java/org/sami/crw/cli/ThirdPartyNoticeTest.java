@@ -43,6 +43,7 @@ class ThirdPartyNoticeTest {
             "journal-postgres",
             "lessons",
             "net-picture",
+            "pair-postgres",
             "petri",
             "server",
             "session-client",

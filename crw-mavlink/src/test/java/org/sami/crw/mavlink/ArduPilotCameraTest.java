@@ -49,8 +49,8 @@ class ArduPilotCameraTest {
     void takesAPictureWhereItIs(String kind) throws Exception {
         try (ArduPilotBoats vehicle = start(kind, "CAM1_TYPE 1\nSERVO9_FUNCTION 10\n");
                 LinkClient client = connect()) {
-            assertThat(client.ask(new TakePanorama("first", 8))).isInstanceOf(Ack.class);
-            assertThat(client.ask(new TakePanorama("second", 8))).isInstanceOf(Ack.class);
+            assertTakes(client, "first");
+            assertTakes(client, "second");
 
             Await.until("both are reported", () -> client.count(PanoramaReport.class) == 2);
             Telemetry here = client.last(Telemetry.class).orElseThrow();
@@ -59,6 +59,13 @@ class ArduPilotCameraTest {
             assertThat(Math.abs(report.latDeg() - here.latDeg()) * DEGREE_M).isLessThan(10);
             assertThat(client.hasHeard(message -> isPicture(message, 2))).isTrue();
         }
+    }
+
+    private static void assertTakes(LinkClient client, String command) throws Exception {
+        LinkMessage answer = client.ask(new TakePanorama(command, 8));
+        assertThat(answer)
+                .as(() -> answer instanceof Nack nack ? nack.detail() : command)
+                .isInstanceOf(Ack.class);
     }
 
     private static boolean isPicture(LinkMessage message, double number) {
