@@ -16,6 +16,9 @@ public final class Connections {
 
     private static final int READER_SECONDS = 120;
 
+    /** Of each second in which an answer must come: a backend whose client has given up is to wait for no lock. */
+    private static final int LOCK_MILLIS = 750;
+
     /** Of a reader that has little to read, and is to find out soon that its network was cut. */
     private static final int FOLLOWER_SECONDS = 4;
 
@@ -42,7 +45,8 @@ public final class Connections {
     /** For the lease alone: an answer must come before the lease ends. Where the database has a standby that it waits for, a lease is renewed once the standby sees it. */
     static Connection toRenew(PostgresAddress address, int seconds) throws SQLException {
         Properties properties = properties(address, seconds);
-        properties.setProperty("options", "-c synchronous_commit=remote_apply");
+        properties.setProperty(
+                "options", "-c synchronous_commit=remote_apply -c lock_timeout=" + seconds * LOCK_MILLIS);
         return connect(address, properties);
     }
 

@@ -49,8 +49,9 @@ final class LeaseSight {
      *
      * @param nowNanos a clock that does not jump; it may stand still while the machine sleeps
      * @param nowMillis the machine's clock, which does not; it may be set
+     * @param follows whether the row is of now: an old replica, which gets nothing, has an old row
      */
-    Sight look(LeaseTable.Holder holder, long nowNanos, long nowMillis) {
+    Sight look(LeaseTable.Holder holder, long nowNanos, long nowMillis, boolean follows) {
         long pause = (nowNanos - lookNanos) / NANOS_A_MILLI;
         boolean stoodStill = pause > length.toMillis() / 2 || Math.abs(nowMillis - lookMillis - pause) > SLEPT_MILLIS;
         if (seen.isPresent() && stoodStill) {
@@ -67,7 +68,7 @@ final class LeaseSight {
             seen = Optional.of(holder);
         }
         if (holder.isGivenBack()) {
-            return Sight.OVER;
+            return renewed || follows ? Sight.OVER : Sight.STANDS_STILL;
         }
         boolean mayTake = renewed && holder.standbyMayTake();
         if (nowNanos - sinceNanos < length.toNanos()) {

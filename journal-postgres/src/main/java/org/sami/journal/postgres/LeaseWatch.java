@@ -18,6 +18,7 @@ final class LeaseWatch {
     private static final long LOOK_MILLIS = 100;
     private static final int ANSWER_SECONDS = 2;
     private static final int PROMOTION_SECONDS = 30;
+    private static final long FOLLOWED_NANOS = 2_000_000_000L;
 
     private final PostgresAddress address;
     private final Taking taking;
@@ -27,6 +28,8 @@ final class LeaseWatch {
     private final Consumer<String> lines;
     private String said = "";
     private boolean answered;
+    private boolean promoted;
+    private Optional<Long> followsSince = Optional.empty();
 
     /** How a lease that is over is taken. */
     interface Taking {
@@ -94,7 +97,7 @@ final class LeaseWatch {
                 if (holder.isEmpty()) {
                     say("nobody has begun the session");
                 } else if (ofAPair) {
-                    if (isOver(holder.get())) {
+                    if (isOver(holder.get(), connection)) {
                         promote(connection);
                         return taking.takeSeen(holder.get());
                     }
@@ -114,8 +117,8 @@ final class LeaseWatch {
                 .isEmpty();
     }
 
-    private boolean isOver(LeaseTable.Holder holder) {
-        return switch (sight.look(holder, nanos.getAsLong(), wall.millis())) {
+    private boolean isOver(LeaseTable.Holder holder, Connection connection) throws SQLException {
+        return switch (sight.look(holder, nanos.getAsLong(), wall.millis(), isOfNow(connection))) {
             case OVER -> true;
             case HELD -> {
                 say("the session is held by " + holder.words());
@@ -126,6 +129,9 @@ final class LeaseWatch {
                 yield false;
             }
             case STANDS_STILL -> {
+                if (promoted) {
+                    yield true; // only this base writes this database, and the row stood still for its whole length
+                }
                 say("nothing comes from " + holder.words()
                         + ", who may go on without this base: if not, 'crw take-over'");
                 yield false;
@@ -133,18 +139,36 @@ final class LeaseWatch {
         };
     }
 
+    /** Whether what the database says is of now: it is no replica, or one that gets what is written and has applied it for a while. */
+    private boolean isOfNow(Connection connection) throws SQLException {
+        boolean follows = Connections.text(
+                        connection,
+                        "SELECT NOT pg_is_in_recovery() OR coalesce((SELECT status = 'streaming'"
+                                + " AND pg_last_wal_replay_lsn() >= latest_end_lsn FROM pg_stat_wal_receiver), false)")
+                .equals("t");
+        long now = nanos.getAsLong();
+        if (!follows) {
+            followsSince = Optional.empty();
+        } else if (followsSince.isEmpty()) {
+            followsSince = Optional.of(now);
+        }
+        return followsSince.isPresent() && now - followsSince.get() >= FOLLOWED_NANOS;
+    }
+
     /** Has a replica become the database. */
     private void promote(Connection connection) throws SQLException {
         if (!Connections.text(connection, "SELECT pg_is_in_recovery()").equals("t")) {
+            promoted = true;
             return;
         }
         say("this base's replica becomes the database");
-        Connection longer = Connections.toRenew(address, PROMOTION_SECONDS);
+        Connection longer = Connections.toRenew(address, PROMOTION_SECONDS + ANSWER_SECONDS);
         try (longer) {
             if (!Connections.text(longer, "SELECT pg_promote(true, " + PROMOTION_SECONDS + ")")
                     .equals("t")) {
                 throw new SQLException("the replica did not become the database within " + PROMOTION_SECONDS + " s");
             }
+            promoted = true;
         }
     }
 

@@ -14,6 +14,7 @@ class LeaseSightTest {
     private final LeaseSight sight = new LeaseSight(LENGTH);
     private long millis = 1_000_000;
     private long wallAheadMillis;
+    private boolean follows;
 
     @Test
     void aRowThatStandsStillForItsLengthIsOverWhateverItsClockSays() {
@@ -50,7 +51,16 @@ class LeaseSightTest {
     }
 
     @Test
-    void aLeaseThatWasGivenBackIsOverAtOnce() {
+    void aLeaseThatWasGivenBackIsOverAtOnceWhereTheRowIsOfNow() {
+        assertThat(look(sight, holder(1, "-infinity", false))).isEqualTo(Sight.STANDS_STILL);
+        follows = true;
+        assertThat(look(sight, holder(1, "-infinity", false))).isEqualTo(Sight.OVER);
+    }
+
+    @Test
+    void aLeaseThatIsGivenBackBeforeItsEyesIsOver() {
+        look(sight, holder(1, "a", false));
+
         assertThat(look(sight, holder(1, "-infinity", false))).isEqualTo(Sight.OVER);
     }
 
@@ -96,7 +106,7 @@ class LeaseSightTest {
 
     private Sight look(LeaseSight at, LeaseTable.Holder holder) {
         millis += STEP_MILLIS;
-        return at.look(holder, millis * 1_000_000, millis + wallAheadMillis);
+        return at.look(holder, millis * 1_000_000, millis + wallAheadMillis, follows);
     }
 
     private static LeaseTable.Holder holder(long epoch, String ends, boolean standbyMayTake) {

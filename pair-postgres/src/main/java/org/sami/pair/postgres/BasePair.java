@@ -141,6 +141,30 @@ public final class BasePair {
         });
     }
 
+    /**
+     * Whether this base may follow the other one's database anew.
+     *
+     * @throws PairException if there is none to follow, or the session is here
+     */
+    public void checkRejoin() throws PairException {
+        boolean replica = part() == Part.REPLICA;
+        int timeline = replica ? 0 : own(Replication::timeline);
+        try (Connection other = connections.other()) {
+            if (Replication.isReplica(other)) {
+                throw new PairException(
+                        settings.other() + " is a replica: there is nothing to follow; nothing was changed");
+            }
+            if (!replica && Replication.timeline(other) <= timeline) {
+                throw new PairException(
+                        "this base has the session, not " + settings.other() + "; nothing was changed");
+            }
+        } catch (SQLException silent) {
+            throw new PairException(
+                    settings.other() + " does not answer: " + DatabaseFaults.words(silent) + "; nothing was changed",
+                    silent);
+        }
+    }
+
     /** Says to the base that has the session that this one stands by for it, until it is closed. */
     public StandbyPresence standBy() {
         return new StandbyPresence(connections);
@@ -174,19 +198,26 @@ public final class BasePair {
      * Takes the session over at a person's word: from the other base where it answers, else as far as this base has it. The base here that waits for it goes on with it then.
      *
      * @param name of the session
+     * @param lossConfirmed whether a person has confirmed what {@link #lossOfTakeOver} says: only then it is taken from a base that does not answer
      * @return who held it, for people; empty where nobody did
      */
-    public Optional<String> takeOver(String name) throws PairException {
+    public Optional<String> takeOver(String name, boolean lossConfirmed) throws PairException {
         if (part() == Part.DATABASE) {
             throw new PairException("this base has the session's database: nothing is to be taken over");
         }
-        PostgresAddress there = connections.otherJournal(name);
         try (Connection other = connections.other()) {
             if (!Replication.isReplica(other)) {
-                return TakeOver.takeAway(there);
+                if (!Replication.standby(other).isStreaming()) {
+                    throw new PairException("this base does not follow " + settings.other()
+                            + " at present: nothing was taken over; if it cannot catch up: crw pair rejoin");
+                }
+                return TakeOver.takeAway(connections.otherJournal(name));
             }
-        } catch (SQLException silent) {
-            // it is off, or cut
+        } catch (SQLException fault) {
+            if (!lossConfirmed) {
+                throw new PairException(
+                        settings.other() + ": " + DatabaseFaults.words(fault) + "; nothing was taken over", fault);
+            }
         }
         try (Connection patient = connections.own(PROMOTION_SECONDS)) {
             Replication.promote(patient, PROMOTION_SECONDS);

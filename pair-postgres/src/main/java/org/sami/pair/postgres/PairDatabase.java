@@ -26,6 +26,7 @@ public final class PairDatabase {
         unix_socket_directories = ''
         ssl = on
         wal_keep_size = 1GB
+        client_connection_check_interval = 2s
         max_wal_senders = 6
         wal_sender_timeout = 1500ms
         wal_receiver_timeout = 2s
@@ -104,16 +105,16 @@ public final class PairDatabase {
             throw new PairException(folder.path()
                     + " holds a pair already; 'crw pair status' says which, 'crw pair leave' gives it up");
         }
+        if (!folder.isFree()) {
+            throw new PairException(folder.path() + " is not empty: a pair needs a folder of its own");
+        }
         folder.write(settings, secrets, programs.folder());
         return new PairDatabase(folder, programs, settings);
     }
 
     private void undo() {
         try {
-            if (isRunning()) {
-                stop();
-            }
-            delete(folder.path());
+            delete();
         } catch (IOException left) {
             System.getLogger(PairDatabase.class.getName())
                     .log(System.Logger.Level.WARNING, "{0} was left: {1}", folder.path(), left.getMessage());
@@ -248,7 +249,16 @@ public final class PairDatabase {
                 && lines.get(0).strip().matches("\\d+")
                 && ProcessHandle.of(Long.parseLong(lines.get(0).strip()))
                         .filter(ProcessHandle::isAlive)
+                        .filter(PairDatabase::mayBePostgres)
                         .isPresent();
+    }
+
+    /** After a loss of power another process may have the number. */
+    private static boolean mayBePostgres(ProcessHandle process) {
+        return process.info()
+                .command()
+                .map(command -> command.substring(command.lastIndexOf('/') + 1).startsWith("postgres"))
+                .orElse(true);
     }
 
     /** Starts it, and waits until it answers. It runs on when this process ends. */
@@ -268,7 +278,7 @@ public final class PairDatabase {
                             "--log=" + folder.log(),
                             "--options=" + options));
         } catch (PairException fault) {
-            throw new PairException(fault.getMessage() + "; " + folder.log() + " says why", fault);
+            throw new PairException(fault.getMessage() + "; its log ends with: " + folder.endOfLog(), fault);
         }
     }
 
@@ -280,12 +290,17 @@ public final class PairDatabase {
                 List.of("pg_ctl", "stop", "--mode=fast", "--pgdata=" + folder.data()));
     }
 
-    /** Stops it and deletes the folder of the pair, with its database. */
+    /** Stops it and deletes what a pair has in its folder, with its database; the folder too where nothing else is in it. */
     public void delete() throws IOException {
         if (isRunning()) {
             stop();
         }
-        delete(folder.path());
+        for (Path own : folder.own()) {
+            delete(own);
+        }
+        if (folder.isFree()) {
+            Files.deleteIfExists(folder.path());
+        }
     }
 
     private void run(String what, int seconds, List<String> command) throws IOException {

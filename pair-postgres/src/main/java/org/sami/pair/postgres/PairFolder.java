@@ -5,13 +5,17 @@ import java.io.StringReader;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.Set;
+import java.util.stream.Stream;
 
 /** The folder of a pair on one base: its settings, secrets and database. Only its owner may read it. */
 public final class PairFolder {
     private static final String SETTINGS = "pair.properties";
     private static final String PASSWORDS = "pgpass";
+    private static final int LOG_LINES = 3;
 
     private final Path folder;
 
@@ -28,6 +32,38 @@ public final class PairFolder {
     /** Whether this base is one of a pair. */
     public boolean isThere() {
         return Files.exists(folder.resolve(SETTINGS));
+    }
+
+    /** Whether nothing is in it, or it is not there. */
+    boolean isFree() throws IOException {
+        return content().isEmpty();
+    }
+
+    /** What a pair has in it, of which some may not be there. */
+    List<Path> own() throws IOException {
+        Set<Path> files = Set.of(folder.resolve(SETTINGS), certificate(), key(), passwords(), log(), data());
+        return content().stream()
+                .filter(each -> files.contains(each) || each.getFileName().toString().startsWith("data."))
+                .toList();
+    }
+
+    private List<Path> content() throws IOException {
+        if (!Files.exists(folder)) {
+            return List.of();
+        }
+        try (Stream<Path> inside = Files.list(folder)) {
+            return inside.toList();
+        }
+    }
+
+    /** The last lines that PostgreSQL wrote, for people. */
+    String endOfLog() {
+        try {
+            List<String> lines = Files.readAllLines(log());
+            return String.join(" / ", lines.subList(Math.max(0, lines.size() - LOG_LINES), lines.size()));
+        } catch (IOException unreadable) {
+            return "nothing";
+        }
     }
 
     Path data() {

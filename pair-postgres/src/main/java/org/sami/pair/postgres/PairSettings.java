@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
 public record PairSettings(String here, String other, int port, WhenCut whenCut) {
     private static final Pattern HOST = Pattern.compile("[A-Za-z0-9.:-]+");
     private static final Pattern LOOPBACK = Pattern.compile("127\\.\\d+\\.\\d+\\.\\d+|::1|localhost");
+    private static final Pattern IPV4 = Pattern.compile("(\\d{1,3}\\.){3}\\d{1,3}");
     private static final int MOST_PORT = 65_535;
 
     public PairSettings {
@@ -52,6 +53,6 @@ public record PairSettings(String here, String other, int port, WhenCut whenCut)
         if (host.contains(":")) {
             return host + "/128";
         }
-        return Character.isDigit(host.charAt(host.length() - 1)) ? host + "/32" : host;
+        return IPV4.matcher(host).matches() ? host + "/32" : host;
     }
 }

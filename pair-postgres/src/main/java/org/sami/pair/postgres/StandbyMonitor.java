@@ -20,6 +20,7 @@ import org.sami.journal.postgres.DatabaseFaults;
  */
 public final class StandbyMonitor implements AutoCloseable {
     private static final long LOOK_MILLIS = 250;
+    private static final long ASK_MILLIS = 2000;
 
     private final PairConnections connections;
     private final PairSettings settings;
@@ -30,6 +31,8 @@ public final class StandbyMonitor implements AutoCloseable {
     private @Nullable Future<?> looks;
     private @Nullable Connection connection;
     private @Nullable Protection said;
+    private long askedMillis;
+    private boolean replaced;
 
     private StandbyMonitor(PairFolder folder, Clock clock, BiConsumer<Protection, LocalTime> listener)
             throws PairException {
@@ -80,6 +83,9 @@ public final class StandbyMonitor implements AutoCloseable {
     }
 
     private void look(Connection used) throws SQLException {
+        if (replaced) {
+            return; // for good
+        }
         boolean waits = Replication.waitsForStandby(used);
         StandbyLook look = Replication.standby(used);
         switch (PairRule.next(settings.whenCut(), waits, look)) {
@@ -93,16 +99,24 @@ public final class StandbyMonitor implements AutoCloseable {
             }
             case NONE -> {}
         }
-        say(
-                waits && !look.isConnected() && otherWentOn(Replication.timeline(used))
-                        ? new Protection(
-                                Protection.State.REPLACED,
-                                settings.other() + " took the session over: this base ends with it",
-                                "This base comes back as the standby by 'crw pair rejoin'")
-                        : protection(waits, look));
+        if (!look.isConnected() && otherWentOn(Replication.timeline(used))) {
+            replaced = true;
+            say(new Protection(
+                    Protection.State.REPLACED,
+                    settings.other() + " took the session over: this base ends with it",
+                    "This base comes back as the standby by 'crw pair rejoin'"));
+        } else {
+            say(protection(waits, look));
+        }
     }
 
+    /** Asks the other base, where it answers, at most every two seconds. */
     private boolean otherWentOn(int timeline) {
+        long now = clock.millis();
+        if (now >= askedMillis && now - askedMillis < ASK_MILLIS) {
+            return false;
+        }
+        askedMillis = now;
         try (Connection other = connections.other()) {
             return !Replication.isReplica(other) && Replication.timeline(other) > timeline;
         } catch (SQLException silent) {

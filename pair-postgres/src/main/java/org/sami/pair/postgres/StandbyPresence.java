@@ -28,6 +28,7 @@ public final class StandbyPresence implements AutoCloseable {
     /** Says that it ends in order and does not go on with the session: the other base need not wait for it. False where that base is not reached. */
     public boolean leave() {
         close();
+        awaitEnd(); // what it says last is to count
         return say(true);
     }
 
@@ -40,11 +41,14 @@ public final class StandbyPresence implements AutoCloseable {
         }
     }
 
-    /** Says nothing any more. */
+    /** Says nothing any more; does not wait for what is under way, which may be at a base that does not answer. */
     @Override
     public void close() {
         saying.cancel(false);
         thread.shutdown();
+    }
+
+    private void awaitEnd() {
         try {
             if (!thread.awaitTermination(SAY_MILLIS * 2, TimeUnit.MILLISECONDS)) {
                 thread.shutdownNow();

@@ -138,7 +138,7 @@ class PairFaultTest {
             awaitWords("the session is held by");
 
             assertThat(second.lossOfTakeOver()).isEmpty();
-            assertThat(second.takeOver("sami")).isPresent();
+            assertThat(second.takeOver("sami", false)).isPresent();
 
             try (StoredJournal taken = waiting.get()) {
                 assertThat(taken.lastIndex()).isEqualTo(1);
@@ -146,7 +146,7 @@ class PairFaultTest {
             }
             assertThatThrownBy(() -> journal.append(List.of(entry(2)), Durability.POWER))
                     .isInstanceOf(IOException.class);
-            assertThatThrownBy(() -> second.takeOver("sami")).isInstanceOf(PairException.class);
+            assertThatThrownBy(() -> second.takeOver("sami", false)).isInstanceOf(PairException.class);
         }
     }
 
@@ -167,11 +167,50 @@ class PairFaultTest {
             assertThat(second.lossOfTakeOver().orElseThrow())
                     .startsWith(bases.firstAddress + " does not answer. This base received the last of it at ")
                     .endsWith("is lost");
-            second.takeOver("sami");
+            second.takeOver("sami", true);
 
             try (StoredJournal taken = waiting.get()) {
                 assertThat(taken.lastIndex()).isEqualTo(1);
             }
+        }
+    }
+
+    @Test
+    void aHolderThatWentAloneEndsOnceItSeesThatTheOtherWentOn() throws Exception {
+        try (TwoBases bases = TwoBases.paired(root, WhenCut.ALONE);
+                StandbyMonitor monitor = monitor(bases);
+                StoredJournal journal = create(bases)) {
+            await(State.PROTECTED);
+            write(journal, 1);
+
+            try (Connection second = new PairConnections(bases.second, bases.second.settings()).own(30)) {
+                Connections.run(second, "SELECT pg_promote(true, 30)"); // as 'crw take-over --confirm' does
+            }
+
+            await(State.REPLACED);
+        }
+    }
+
+    @Test
+    void anOldReplicaWhoseSessionWasGivenBackDoesNotTakeItWhileItGetsNothing() throws Exception {
+        try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER)) {
+            create(bases).close();
+            PairDatabase.of(bases.first).stop();
+
+            Future<StoredJournal> waiting = thread.submit(() -> standBy(bases));
+
+            awaitWords("who may go on without this base");
+            assertThat(waiting.isDone()).isFalse();
+        }
+    }
+
+    @Test
+    void aBaseThatHasTheSessionDoesNotRejoin() throws Exception {
+        try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER)) {
+            assertThatThrownBy(BasePair.open(bases.first)::checkRejoin)
+                    .isInstanceOf(PairException.class)
+                    .hasMessageContaining("is a replica: there is nothing to follow");
+            BasePair.open(bases.second).checkRejoin();
         }
     }
 

@@ -125,6 +125,24 @@ class PairTest {
     }
 
     @Test
+    void aFolderThatHoldsSomethingElseIsLeftAsItIs() throws Exception {
+        try (TwoBases bases = new TwoBases(root)) {
+            Path other = Files.writeString(Files.createDirectories(bases.first.path()).resolve("letter"), "dear");
+
+            assertThatThrownBy(() -> bases.make(WhenCut.TAKE_OVER))
+                    .isInstanceOf(PairException.class)
+                    .hasMessageContaining("is not empty");
+            assertThat(other).hasContent("dear");
+        }
+    }
+
+    @Test
+    void aNameThatEndsInADigitIsNoAddress() {
+        assertThat(PairSettings.inAccessList("laptop-2")).isEqualTo("laptop-2");
+        assertThat(PairSettings.inAccessList("10.0.0.6")).isEqualTo("10.0.0.6/32");
+    }
+
+    @Test
     void aBaseThatCannotReachTheOtherJoinsNothingAndLeavesNothing() throws Exception {
         try (TwoBases bases = new TwoBases(root)) {
             bases.make(WhenCut.TAKE_OVER);

@@ -8,6 +8,7 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.output.ExitCode;
+import org.sami.pair.postgres.BasePair;
 import org.sami.pair.postgres.PairDatabase;
 import org.sami.pair.postgres.PairFolder;
 import picocli.CommandLine.Command;
@@ -35,6 +36,7 @@ final class RejoinPairCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         PairFolder here = folder.folder();
+        BasePair.open(here).checkRejoin();
         String now = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss").format(LocalDateTime.now(ZoneId.systemDefault()));
         Path kept = PairDatabase.of(here).copyAgain("until-" + now);
         PrintWriter out = spec.commandLine().getOut();

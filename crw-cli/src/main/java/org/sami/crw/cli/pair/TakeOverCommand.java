@@ -82,7 +82,7 @@ public final class TakeOverCommand implements Callable<Integer> {
         if (loss.isPresent() && !confirm) {
             throw new UsageFault(loss.get() + ". To do it: crw take-over --confirm");
         }
-        return pair.takeOver(name);
+        return pair.takeOver(name, confirm);
     }
 
     private static Optional<String> ofDatabase(String text) throws IOException {

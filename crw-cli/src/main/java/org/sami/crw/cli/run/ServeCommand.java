@@ -173,6 +173,8 @@ public final class ServeCommand implements Callable<Integer> {
             Thread.interrupted(); // by Ctrl-C, while it waited: nothing was begun
             presence.ifPresent(StandbyPresence::leave);
             return ExitCode.OK;
+        } finally {
+            presence.ifPresent(StandbyPresence::close);
         }
     }
 
