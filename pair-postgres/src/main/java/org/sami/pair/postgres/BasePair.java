@@ -155,8 +155,7 @@ public final class BasePair {
                         settings.other() + " is a replica: there is nothing to follow; nothing was changed");
             }
             if (!replica && Replication.timeline(other) <= timeline) {
-                throw new PairException(
-                        "this base has the session, not " + settings.other() + "; nothing was changed");
+                throw new PairException("this base has the session, not " + settings.other() + "; nothing was changed");
             }
         } catch (SQLException silent) {
             throw new PairException(

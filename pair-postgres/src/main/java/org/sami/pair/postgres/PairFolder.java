@@ -43,7 +43,8 @@ public final class PairFolder {
     List<Path> own() throws IOException {
         Set<Path> files = Set.of(folder.resolve(SETTINGS), certificate(), key(), passwords(), log(), data());
         return content().stream()
-                .filter(each -> files.contains(each) || each.getFileName().toString().startsWith("data."))
+                .filter(each ->
+                        files.contains(each) || each.getFileName().toString().startsWith("data."))
                 .toList();
     }
 

@@ -127,7 +127,8 @@ class PairTest {
     @Test
     void aFolderThatHoldsSomethingElseIsLeftAsItIs() throws Exception {
         try (TwoBases bases = new TwoBases(root)) {
-            Path other = Files.writeString(Files.createDirectories(bases.first.path()).resolve("letter"), "dear");
+            Path other = Files.writeString(
+                    Files.createDirectories(bases.first.path()).resolve("letter"), "dear");
 
             assertThatThrownBy(() -> bases.make(WhenCut.TAKE_OVER))
                     .isInstanceOf(PairException.class)

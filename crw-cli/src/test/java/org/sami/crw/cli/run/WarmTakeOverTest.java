@@ -298,7 +298,8 @@ class WarmTakeOverTest {
         settings.put("kind", "run");
         try (StoredJournal holder =
                 address.create(JournalHeader.of(header.project(), header.vocabulary(), settings), OPTIONS)) {
-            CommandResult standby = CommandResult.crw("serve", "--port", "0", "--journal", database.text(), "--standby");
+            CommandResult standby =
+                    CommandResult.crw("serve", "--port", "0", "--journal", database.text(), "--standby");
 
             assertThat(standby.exitCode()).as(standby.err()).isEqualTo(2);
             assertThat(standby.err()).contains("is the journal of a run");
