@@ -289,7 +289,7 @@ public final class MavlinkBase implements AutoCloseable {
         try {
             owner.execute(() -> {
                 room.release(messages.size());
-                messages.forEach(message -> handle(from, message));
+                messages.forEach(message -> BaseThread.run(() -> handle(from, message)));
             });
         } catch (RejectedExecutionException closed) {
             room.release(messages.size());
