@@ -35,12 +35,14 @@ final class VehicleCamera {
     private boolean known; // whether there is one
     private Optional<Order> pending = Optional.empty();
     private int reads;
+    private int captures; // that were asked for
     private long nowMs;
 
     /** A picture that is asked for. */
     private static final class Order {
         private final TakePanorama command;
         private final Consumer<LinkMessage> answer;
+        private boolean asked; // of the vehicle
         private boolean accepted;
         private long acceptedMs;
         private Optional<VehicleEvent.PictureTaken> picture = Optional.empty();
@@ -115,11 +117,12 @@ final class VehicleCamera {
         if (missing.isPresent()) {
             fail(order, missing.get());
         } else {
-            trigger(order, VehicleCommand.takePicture());
+            trigger(order, VehicleCommand.takePicture(++captures));
         }
     }
 
     private void trigger(Order order, VehicleCommand by) {
+        order.asked = true;
         Results.when(base.command(id, by), thread, outcome -> triggered(order, by, outcome), why -> fail(order, why));
     }
 
@@ -139,9 +142,9 @@ final class VehicleCamera {
         }
     }
 
-    /** The autopilot reports a picture, whoever has asked for it. */
+    /** The autopilot reports a picture, whoever has asked for it; one from before it was asked answers no order. */
     void taken(VehicleEvent.PictureTaken picture) {
-        pending.ifPresent(order -> {
+        pending.filter(order -> order.asked).ifPresent(order -> {
             order.picture = Optional.of(picture);
             finish(order);
         });
@@ -167,7 +170,7 @@ final class VehicleCamera {
 
     private void fail(Order order, String why) {
         if (pending.filter(now -> now == order).isPresent()) {
-            end(order, NackReason.NO_CAMERA, why);
+            end(order, missing.isPresent() ? NackReason.NO_CAMERA : NackReason.NOT_ABLE, why);
         }
     }
 

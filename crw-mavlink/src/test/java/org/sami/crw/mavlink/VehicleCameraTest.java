@@ -45,9 +45,9 @@ class VehicleCameraTest {
         boat.close();
     }
 
-    private static void assertRefused(LinkMessage answer, String words) {
+    private static void assertRefused(LinkMessage answer, NackReason reason, String words) {
         assertThat(answer).isInstanceOfSatisfying(Nack.class, nack -> {
-            assertThat(nack.reason()).isEqualTo(NackReason.NO_CAMERA);
+            assertThat(nack.reason()).isEqualTo(reason);
             assertThat(nack.detail()).contains(words);
         });
     }
@@ -79,7 +79,10 @@ class VehicleCameraTest {
     @Test
     void boatWithoutACameraSaysSo() {
         try (LinkClient client = new LinkClient(folder, boat.address() + "/7")) {
-            assertRefused(client.ask(new TakePanorama("asked", 8)), "vehicle 7 has no camera (CAM1_TYPE 0)");
+            assertRefused(
+                    client.ask(new TakePanorama("asked", 8)),
+                    NackReason.NO_CAMERA,
+                    "vehicle 7 has no camera (CAM1_TYPE 0)");
         }
     }
 
@@ -88,7 +91,8 @@ class VehicleCameraTest {
         boat.parameter(TYPE, 1);
         boat.faults().jamCamera(true);
         try (LinkClient client = new LinkClient(folder, boat.address() + "/7")) {
-            assertRefused(client.ask(new TakePanorama("asked", 8)), "does not report one within 5 s");
+            assertRefused(
+                    client.ask(new TakePanorama("asked", 8)), NackReason.NOT_ABLE, "does not report one within 5 s");
 
             boat.faults().jamCamera(false);
             assertThat(client.ask(new TakePanorama("again", 8))).isInstanceOf(Ack.class);

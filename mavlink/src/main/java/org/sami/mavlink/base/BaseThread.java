@@ -29,10 +29,11 @@ public final class BaseThread implements AutoCloseable {
                 () -> ticks.forEach(BaseThread::run), TICK_MS, TICK_MS, TimeUnit.MILLISECONDS);
     }
 
-    private static void run(Runnable tick) {
+    /** Runs work of a base; a fault in it is logged and goes no further. */
+    static void run(Runnable work) {
         try {
-            tick.run();
-        } catch (RuntimeException e) { // the ticks of all bases would end without a word
+            work.run();
+        } catch (RuntimeException e) { // the ticks of all bases, or the rest of a batch, would end without a word
             LOG.log(Level.ERROR, "a fault in a base of vehicles", e);
         }
     }

@@ -55,6 +55,8 @@ public final class MavlinkBase implements AutoCloseable {
     private final BaseThread thread;
     private final boolean hasOwnThread;
     private final Executor owner;
+    private final Object closing = new Object();
+    private boolean closed; // guarded by closing
     private final Runnable everyTick = this::tick;
     private long ticks;
     private final Semaphore room = new Semaphore(UNHANDLED);
@@ -96,7 +98,7 @@ public final class MavlinkBase implements AutoCloseable {
         this.options = Objects.requireNonNull(options, "options");
         this.thread = thread;
         this.hasOwnThread = hasOwnThread;
-        owner = thread.executor();
+        owner = this::execute;
         asking = new MessageAsking(table, options.signing().isPresent());
         List<MavlinkAddress> each = addresses.stream().distinct().toList();
         links = IntStream.range(0, each.size())
@@ -289,7 +291,7 @@ public final class MavlinkBase implements AutoCloseable {
         try {
             owner.execute(() -> {
                 room.release(messages.size());
-                messages.forEach(message -> handle(from, message));
+                messages.forEach(message -> BaseThread.run(() -> handle(from, message)));
             });
         } catch (RejectedExecutionException closed) {
             room.release(messages.size());
@@ -373,13 +375,30 @@ public final class MavlinkBase implements AutoCloseable {
                 .ifPresent(link -> link.send(message));
     }
 
-    /** Closes all links; what was asked and not answered fails. */
+    private void execute(Runnable work) {
+        synchronized (closing) {
+            if (closed) {
+                throw new RejectedExecutionException("this base of vehicles is closed");
+            }
+            thread.executor().execute(work);
+        }
+    }
+
+    /** Closes all links; what was asked and not answered fails, and what is asked from then on is rejected, on a thread that goes on as well. */
     @Override
     public void close() {
         thread.end(everyTick);
         links.forEach(MavlinkLink::close);
-        CompletableFuture.runAsync(() -> exchanges.values().forEach(VehicleExchanges::close), owner)
-                .join();
+        CompletableFuture<Void> ended;
+        synchronized (closing) { // what was asked before it runs before it, and nothing after it
+            if (closed) {
+                return;
+            }
+            ended = CompletableFuture.runAsync(
+                    () -> exchanges.values().forEach(VehicleExchanges::close), thread.executor());
+            closed = true;
+        }
+        ended.join();
         if (hasOwnThread) {
             thread.close();
         }

@@ -114,9 +114,13 @@ public record VehicleCommand(
         return made(MESSAGE_INTERVAL, "send message " + message, false, message, us);
     }
 
-    /** Takes one picture with the first camera (IMAGE_START_CAPTURE). Without a camera ArduPilot refuses. */
-    public static VehicleCommand takePicture() {
-        return made(TAKE_PICTURES, "take a picture", false, 0, 0, 1);
+    /**
+     * Takes one picture with the first camera (IMAGE_START_CAPTURE). Without a camera ArduPilot refuses.
+     *
+     * @param number from 1, another for each picture: a camera that counts them takes no second one where the command comes twice
+     */
+    public static VehicleCommand takePicture(int number) {
+        return made(TAKE_PICTURES, "take a picture", false, 0, 0, 1, number);
     }
 
     /** Triggers the camera once (DO_DIGICAM_CONTROL), as firmwares know it that have no {@link #takePicture}. ArduPilot accepts it without a camera, too. */

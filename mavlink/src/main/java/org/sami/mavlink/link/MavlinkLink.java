@@ -178,27 +178,45 @@ public final class MavlinkLink implements AutoCloseable {
         }
     }
 
+    /** Messages that came and are not handed over yet: that happens before the link waits for more, whatever comes behind them. */
+    private final class Taken {
+        private final List<ReceivedMessage> messages = new ArrayList<>();
+        private boolean news; // something that is read
+
+        void add(ReceivedMessage message) {
+            messages.add(message);
+            news |= message.payload() != ReceivedMessage.UNREAD;
+            if (messages.size() >= TOGETHER) {
+                handOver();
+            }
+        }
+
+        void beforeWaiting() {
+            if (news || messages.size() >= UNREAD_TOGETHER) {
+                handOver();
+            }
+        }
+
+        private void handOver() {
+            listener.onMessages(address, List.copyOf(messages));
+            messages.clear();
+            news = false;
+        }
+    }
+
     /** Reads until the link ends; why it ended. */
     private String read(LinkStreams streams) {
-        MessageReader in = new MessageReader(streams.in(), kind -> kind == RadioStatus.class || isRead.test(kind));
+        Taken taken = new Taken();
+        MessageReader in = new MessageReader(
+                streams.in(), kind -> kind == RadioStatus.class || isRead.test(kind), taken::beforeWaiting);
         MavlinkConnection codec = MavlinkConnection.builder(InputStream.nullInputStream(), streams.out())
                 .build(); // writes
         opened(new Connected(streams, in, codec));
-        List<ReceivedMessage> taken = new ArrayList<>();
         try {
             while (true) {
-                boolean news = false; // something that is read
-                do {
-                    MavlinkPacket packet = in.next();
-                    if (isTaken(packet)) {
-                        ReceivedMessage message = message(packet, in.message(packet));
-                        taken.add(message);
-                        news |= message.payload() != ReceivedMessage.UNREAD;
-                    }
-                } while (in.hasNext() && taken.size() < TOGETHER);
-                if (news || taken.size() >= UNREAD_TOGETHER) {
-                    listener.onMessages(address, List.copyOf(taken));
-                    taken.clear();
+                MavlinkPacket packet = in.next();
+                if (isTaken(packet)) {
+                    taken.add(message(packet, in.message(packet)));
                 }
             }
         } catch (IOException e) {

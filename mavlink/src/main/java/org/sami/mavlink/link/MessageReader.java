@@ -30,7 +30,17 @@ public final class MessageReader {
      * @param isRead of which of the library's classes messages are read; of others only the packets
      */
     public MessageReader(InputStream from, Predicate<Class<?>> isRead) {
-        in = new ReadAhead(from);
+        this(from, isRead, () -> {});
+    }
+
+    /**
+     * A reader that says when it waits.
+     *
+     * @param isRead of which of the library's classes messages are read; of others only the packets
+     * @param beforeWaiting called within {@link #next} before it waits for more bytes
+     */
+    MessageReader(InputStream from, Predicate<Class<?>> isRead, Runnable beforeWaiting) {
+        in = new ReadAhead(from, beforeWaiting);
         packets = new MavlinkPacketReader(in);
         this.isRead = isRead;
     }
@@ -38,11 +48,6 @@ public final class MessageReader {
     /** How many bytes came so far. For any thread. */
     long bytes() {
         return in.bytes();
-    }
-
-    /** Whether the next packet is there already, so that {@link #next} does not wait for it. */
-    boolean hasNext() {
-        return in.holdsPacket();
     }
 
     /**

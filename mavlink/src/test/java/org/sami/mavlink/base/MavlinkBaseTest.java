@@ -10,6 +10,8 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.RejectedExecutionException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.boat.server.testing.Await;
@@ -151,6 +153,22 @@ class MavlinkBaseTest {
                     () -> vehicles(base).stream().anyMatch(each -> each.id().equals(new VehicleId(1, 1))));
 
             assertThat(base.held(new VehicleId(1, 1), HeldKind.MISSION).join()).hasSize(5);
+        }
+    }
+
+    @Test
+    void closedBaseRejectsWhatItIsAskedWhileItsThreadGoesOnForOthers() {
+        try (BaseThread shared = new BaseThread();
+                MavlinkBase other = new MavlinkBase(List.of(), ProcessClock::ms, MavlinkBaseOptions.none(), shared)) {
+            MavlinkBase closed = new MavlinkBase(List.of(), ProcessClock::ms, MavlinkBaseOptions.none(), shared);
+            var before = closed.parameter(new VehicleId(1, 1), "SYSID_THISMAV");
+            closed.close();
+            closed.close();
+
+            assertThatThrownBy(before::join).isInstanceOf(CompletionException.class);
+            assertThatThrownBy(() -> closed.parameter(new VehicleId(1, 1), "SYSID_THISMAV"))
+                    .isInstanceOf(RejectedExecutionException.class);
+            assertThat(vehicles(other)).isEmpty();
         }
     }
 }

@@ -167,4 +167,9 @@ class PendingCommandsTest {
         assertThat(ended).extracting(CommandOutcome::verdict).containsOnly(CommandVerdict.UNANSWERED);
         assertThat(ended).hasSize(3);
     }
+
+    @Test
+    void eachPictureHasANumberSoThatACommandThatComesTwiceIsOnePicture() {
+        assertThat(VehicleCommand.takePicture(3).params()).startsWith(0.0, 0.0, 1.0, 3.0);
+    }
 }

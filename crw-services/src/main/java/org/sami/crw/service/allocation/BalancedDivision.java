@@ -29,11 +29,14 @@ public final class BalancedDivision extends AllocationAlgorithm {
         if (!legs.hasTurns()) {
             return byLength(problem, legs);
         }
+        List<List<Integer>> auctioned =
+                auction.shares(problem, legs); // first, as what the search measures counts against its limit
         AllocationProblem onTheSpot = problem.turningOnTheSpot();
         TravelCosts straight = new TravelCosts(onTheSpot);
         List<List<Integer>> byLength = byLength(onTheSpot, straight);
         legs.count(straight.measured());
-        return TurnSearch.best(legs, Objective.LONGEST, List.of(byLength, auction.shares(problem, legs)));
+        straight.shortfall().filter(words -> legs.shortfall().isEmpty()).ifPresent(legs::fallShort);
+        return TurnSearch.best(legs, Objective.LONGEST, List.of(byLength, auctioned));
     }
 
     /** As if all boats turned on the spot. */

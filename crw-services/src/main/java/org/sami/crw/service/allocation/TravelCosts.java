@@ -136,9 +136,9 @@ final class TravelCosts {
         return metres;
     }
 
-    /** The length of a boat's path with its turns, in metres. */
-    double lengthWithTurns(int boat, List<Integer> path) {
-        double metres = begunM[boat] + turnsM(boat, path);
+    /** The length of a boat's path without its turns, in metres. */
+    double lengthM(int boat, List<Integer> path) {
+        double metres = begunM[boat];
         for (int i = 0; i < path.size(); i++) {
             metres += leg(boat, i == 0 ? -1 : path.get(i - 1), path.get(i));
         }

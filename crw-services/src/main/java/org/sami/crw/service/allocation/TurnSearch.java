@@ -157,7 +157,9 @@ final class TurnSearch {
         return path.stream().allMatch(work -> legs.canDo(boat, work));
     }
 
+    /** Turns take time, but no charge. */
     private double costOf(int boat, List<Integer> path) {
-        return legs.cost(objective.isByTime(), boat, legs.lengthWithTurns(boat, path));
+        double cost = legs.cost(objective.isByTime(), boat, legs.lengthM(boat, path));
+        return objective.isByTime() ? cost + legs.timeM(boat, legs.turnsM(boat, path)) : cost;
     }
 }

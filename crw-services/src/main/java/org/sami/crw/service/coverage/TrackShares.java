@@ -214,7 +214,8 @@ final class TrackShares {
     /** Why a boat gets nothing: it is slow, maybe in its turns, or its charge does not last for the way to where its piece would be. */
     private String nothing(String boat, CoverageShare piece, boolean home) {
         double wayM = piece.approachM() + (home ? homeM(boat, piece) : 0) + LEAST_M;
-        if (wayM <= problem.ranges().of(boat)) {
+        boolean mayBeSlow = problem.pace(boat) < 1 || problem.turningRadiusM(boat) > 0;
+        if (mayBeSlow && wayM <= problem.ranges().of(boat)) {
             return boat + " is so slow that the others explore its part sooner";
         }
         return String.format(

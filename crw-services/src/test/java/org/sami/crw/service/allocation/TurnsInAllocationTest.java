@@ -75,6 +75,19 @@ class TurnsInAllocationTest {
         return TurningCircle.perRadius(way);
     }
 
+    /** The way of 90 m is within the charge, and its turn takes as long as 31 m: still sooner than the other boat from afar. */
+    @Test
+    void turnsTakeTimeAndNoCharge() {
+        List<WorkItem> work = List.of(visit("behind", -30, 0), visit("ahead", 30, 0));
+        Candidate near = Candidate.at("near", at(0, 0)).turningIn(10).within(95);
+        Candidate far = Candidate.at("far", at(155, 0));
+
+        Division division = new BalancedDivision().divide(new AllocationProblem(List.of(near, far), work));
+
+        assertThat(division.paths().get("near")).hasSize(2);
+        assertThat(division.shortfall()).isEmpty();
+    }
+
     /** The time of a division is that of the way with its turns; its lengths are those of the legs. */
     @Test
     void latestCountsTurnsAndLengthsDoNot() {
