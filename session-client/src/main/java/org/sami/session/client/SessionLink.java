@@ -27,7 +27,7 @@ final class SessionLink {
     private static final long LOOK_MS = 250;
     private static final long SILENT_NANOS = TimeUnit.SECONDS.toNanos(30);
 
-    /** Of a server that sends something twice a second: the lease of a base that is gone lasts as long. */
+    /** Of a server that sends something twice a second: the lease is over after 3.5 s, the rest is for the other base to open the session. */
     private static final long SILENT_BASE_NANOS = TimeUnit.SECONDS.toNanos(5);
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(1500);

@@ -8,8 +8,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.http.HttpMethod;
@@ -31,9 +33,13 @@ final class PictureHandler extends Handler.Wrapper implements AutoCloseable {
     private static final int MOST_WAITING = 100;
     private static final int IDLE_S = 10;
 
+    /** Whole pictures that are on their way at once: each is in memory, up to 32 MiB, until a slow link has taken it. */
+    private static final int MOST_WHOLE = 4;
+
     private final Supplier<List<PanoramaPictures>> taken;
     private final Tickets tickets;
     private final Thumbnails thumbnails = new Thumbnails();
+    private final Semaphore whole = new Semaphore(MOST_WHOLE);
     private final ThreadPoolExecutor reader =
             new ThreadPoolExecutor(1, 1, IDLE_S, TimeUnit.SECONDS, new LinkedBlockingQueue<>(MOST_WAITING), work -> {
                 Thread thread = new Thread(work, "session server pictures");
@@ -76,12 +82,43 @@ final class PictureHandler extends Handler.Wrapper implements AutoCloseable {
             return true;
         }
         try {
-            reader.execute(() -> serve(file.get(), asked.get("small") != null, response, callback));
+            reader.execute(
+                    asked.get("small") != null
+                            ? () -> serve(() -> thumbnails.of(file.get()), response, callback)
+                            : () -> serveWhole(file.get(), response, callback));
         } catch (RejectedExecutionException tooMany) {
-            response.getHeaders().put(HttpHeader.RETRY_AFTER, 1);
-            send(response, HttpStatus.SERVICE_UNAVAILABLE_503, new byte[0], callback);
+            refuse(response, callback);
         }
         return true;
+    }
+
+    private static void refuse(Response response, Callback callback) {
+        response.getHeaders().put(HttpHeader.RETRY_AFTER, 1);
+        send(response, HttpStatus.SERVICE_UNAVAILABLE_503, new byte[0], callback);
+    }
+
+    private void serveWhole(Path file, Response response, Callback callback) {
+        if (!whole.tryAcquire()) {
+            refuse(response, callback);
+            return;
+        }
+        AtomicBoolean released = new AtomicBoolean(); // a write that fails at once may be said twice
+        serve(
+                () -> whole(file),
+                response,
+                Callback.from(
+                        () -> {
+                            if (!released.getAndSet(true)) {
+                                whole.release();
+                            }
+                        },
+                        callback));
+    }
+
+    /** What is to be sent; empty where it is no picture. */
+    @FunctionalInterface
+    private interface Content {
+        Optional<byte[]> read() throws IOException;
     }
 
     /** The file of a picture that is here; no other file can be named. */
@@ -95,9 +132,9 @@ final class PictureHandler extends Handler.Wrapper implements AutoCloseable {
                 .findFirst();
     }
 
-    private void serve(Path file, boolean small, Response response, Callback callback) {
+    private static void serve(Content from, Response response, Callback callback) {
         try {
-            Optional<byte[]> content = small ? thumbnails.of(file) : whole(file);
+            Optional<byte[]> content = from.read();
             Optional<String> type = content.flatMap(PictureHandler::type);
             if (content.isEmpty() || type.isEmpty()) {
                 send(response, HttpStatus.NOT_FOUND_404, new byte[0], callback);

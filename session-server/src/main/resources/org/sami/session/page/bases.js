@@ -17,6 +17,7 @@ export class Bases {
   constructor(place, kept) {
     this.kept = kept;
     const own = (place.protocol === 'https:' ? 'wss://' : 'ws://') + place.host;
+    this.own = own; // from which the page has come
     /** @type {string[]} */
     this.all = [own];
     this.at = 0;
@@ -106,6 +107,16 @@ export class Bases {
     const moved = this.held !== this.current();
     this.held = this.current();
     return moved;
+  }
+
+  /** Whether the session is held by another base than the one that served this page. */
+  isElsewhere() {
+    return this.held !== this.own;
+  }
+
+  /** Host and port of the base that holds the session, as far as is known here. */
+  holder() {
+    return this.held.replace(/^wss?:[/][/]/, '');
   }
 
   /** Never tries the base at hand again; false where there is no other. */

@@ -221,6 +221,7 @@ function refresh(always = false) {
   followDecisions();
   chart.show(link, selected);
   readings?.show(form?.layer() ?? null);
+  pictures.draw();
   const chosen = selected === null ? null : link.row('boats', selected);
   if (chosen && !isPressed()) {
     driving?.node(chosen); // also while the focus is in the list, which is not made again then

@@ -4,12 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.ByteArrayInputStream;
+import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
@@ -114,6 +117,60 @@ class PicturesTest {
                 .isEqualTo(404);
         assertThat(get(TakenPanorama.QUERY + "c.jpg", ticket).statusCode()).isEqualTo(404);
         assertThat(get(TakenPanorama.QUERY + "../people", ticket).statusCode()).isEqualTo(404);
+    }
+
+    @Test
+    void fourWholePicturesAtMostAreOnTheirWayAtOnce() throws Exception {
+        byte[] large = new byte[24 << 20]; // more than a connection holds that nobody reads from
+        large[0] = (byte) 0xff;
+        large[1] = (byte) 0xd8;
+        Files.write(folder.resolve("b.jpg"), large);
+        List<Socket> slow = new ArrayList<>();
+        try {
+            for (int i = 0; i < 4; i++) {
+                slow.add(begin("b.jpg"));
+            }
+            HttpResponse<byte[]> fifth = get(TakenPanorama.QUERY + "a.jpg", ticket);
+            assertThat(fifth.statusCode()).isEqualTo(503);
+            assertThat(fifth.headers().firstValue("Retry-After")).contains("1");
+            assertThat(get(TakenPanorama.QUERY + "a.jpg&small=1", ticket).statusCode())
+                    .isEqualTo(200);
+
+            slow.get(0).getInputStream().skipNBytes(large.length); // it goes through
+            awaitWhole("a.jpg");
+            slow.set(0, begin("b.jpg"));
+            assertThat(get(TakenPanorama.QUERY + "a.jpg", ticket).statusCode()).isEqualTo(503);
+
+            slow.get(1).close(); // it fails
+            awaitWhole("a.jpg");
+        } finally {
+            for (Socket one : slow) {
+                one.close();
+            }
+        }
+    }
+
+    /** A connection on which a whole picture has begun to come. */
+    private Socket begin(String name) throws Exception {
+        URI at = URI.create(server.url());
+        Socket socket = new Socket(at.getHost(), at.getPort());
+        socket.getOutputStream()
+                .write(("GET /" + TakenPanorama.QUERY + name + " HTTP/1.1\r\nHost: " + at.getAuthority()
+                                + "\r\nAuthorization: Bearer " + ticket + "\r\n\r\n")
+                        .getBytes(StandardCharsets.US_ASCII));
+        assertThat(new String(socket.getInputStream().readNBytes(12), StandardCharsets.US_ASCII))
+                .isEqualTo("HTTP/1.1 200");
+        return socket;
+    }
+
+    private void awaitWhole(String name) {
+        Await.until("a whole picture is served again", () -> {
+            try {
+                return get(TakenPanorama.QUERY + name, ticket).statusCode() == 200;
+            } catch (Exception fault) {
+                throw new IllegalStateException(fault);
+            }
+        });
     }
 
     @Test

@@ -122,6 +122,27 @@ class SessionPageBasesTest {
     }
 
     @Test
+    void pageOfAStandbyAsksItForNoPictureOfTheHolder() throws Exception {
+        try (MeasuringBoat boat = new MeasuringBoat()) {
+            boat.join(session);
+            TakenPanorama.give(session, folder);
+            join(standby.url());
+            browser.click("#tabs button:nth-child(2)");
+            browser.until("document.querySelector('#panel button.row') !== null");
+            browser.click("#panel button.row");
+
+            browser.until("document.querySelector('.strip small') !== null");
+            assertThat(browser.value("document.querySelector('.strip').textContent")
+                            .asText())
+                    .endsWith("Pictures come once the page of 127.0.0.1:" + port(holder) + " is opened");
+            assertThat(browser.value("performance.getEntriesByType('resource')"
+                                    + ".filter((one) => one.name.includes('/picture?')).length")
+                            .asInt())
+                    .isZero();
+        }
+    }
+
+    @Test
     void pageOfAStandbyTakesPartInTheSessionOfTheHolder() throws Exception {
         join(standby.url());
 

@@ -238,7 +238,10 @@ public final class ServeCommand implements Callable<Integer> {
 
     /** Whether a line says who holds the session, for fronts; what else a standby says is for whoever sits at it. */
     private static boolean isOfLease(String line) {
-        return line.startsWith("the session ") || line.startsWith("the database ") || line.startsWith("nobody ");
+        return line.startsWith("the session ")
+                || line.startsWith("the database ")
+                || line.startsWith("nobody ")
+                || line.startsWith("nothing comes from ");
     }
 
     private void waitFor(Session session, CountDownLatch broken, PrintWriter out, StopOnInterrupt stop)

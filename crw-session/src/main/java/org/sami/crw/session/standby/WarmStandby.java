@@ -110,12 +110,12 @@ public final class WarmStandby implements AutoCloseable {
             if (progress.warm) {
                 say("cannot read the session: " + unreadable.getMessage());
             }
-        } catch (RuntimeException | StackOverflowError unfit) {
-            failed = true;
+        } catch (RuntimeException | Error unfit) {
+            failed = true; // first: what comes next may fail as well, and the state may be half changed
             progress = new Progress(0, 0, false);
             follower.close();
             lines.accept("cannot apply the session after entry " + follower.applied() + "; it is read when it is taken"
-                    + " over: " + unfit.getMessage());
+                    + " over: " + Optional.ofNullable(unfit.getMessage()).orElse(unfit.toString()));
         }
     }
 
@@ -170,7 +170,8 @@ public final class WarmStandby implements AutoCloseable {
             Optional<JournalPart> read = failed ? Optional.empty() : follower.part();
             lines.accept(read.isPresent() ? words(progress) : "reads the session now");
             return read;
-        } catch (RuntimeException unfit) {
+        } catch (RuntimeException | Error unfit) {
+            failed = true;
             lines.accept("the state that was applied cannot be taken, so the session is read again: " + unfit);
             return Optional.empty();
         } finally {
