@@ -48,8 +48,8 @@ class WarmStandbyTest {
         words.put(
                 "events.json",
                 "{\"events\": [{\"name\": \"Go\", \"direction\": \"output\", \"label\": \"Go\", \"help\": \"Goes.\","
-                    + " \"answers\": [\"Went\"]}, {\"name\": \"Went\", \"direction\": \"input\", \"label\": \"Went\","
-                    + " \"help\": \"Went.\"}]}");
+                        + " \"answers\": [\"Went\"]}, {\"name\": \"Went\", \"direction\": \"input\", \"label\": \"Went\","
+                        + " \"help\": \"Went.\"}]}");
         return words;
     }
 
