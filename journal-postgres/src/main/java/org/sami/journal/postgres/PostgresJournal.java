@@ -62,7 +62,7 @@ final class PostgresJournal implements StoredJournal {
         this.connection = connection;
         this.lease = lease;
         this.tables = tables;
-        this.read = tables.read();
+        this.read = tables.takeRead();
         this.recovery = recovery;
         this.options = options;
         this.flush = new TelemetryFlush("journal-telemetry of " + address.words(), this::writeTelemetry);

@@ -62,6 +62,7 @@ class PostgresJournalTest {
             assertThat(reader.marks()).containsExactly(new WorldMark(700, "all is well"));
             assertThat(reader.telemetry()).isEqualTo(expected.telemetry());
             assertThat(reader.telemetry().rows()).hasSize(1);
+            assertThat(reader.documents()).isEqualTo(expected.documents()).hasSize(1);
             assertThat(reader.recovery().damage()).isEmpty();
         }
     }

@@ -120,11 +120,11 @@ public final class JournalFollower implements AutoCloseable {
     }
 
     private void apply(Applied to, JournalReader from) throws JournalException {
+        to.entries = from.entriesRead(); // first: it goes with the reader, however far the entries are applied
         from.entries(to.index + 1, from.lastIndex(), entry -> {
             to.engine.step(to.state, entry.atMillis(), entry.input(), effect -> {});
             to.index = entry.index();
         });
-        to.entries = from.entriesRead();
         followTelemetry(to, from);
     }
 

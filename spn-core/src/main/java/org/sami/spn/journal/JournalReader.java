@@ -146,9 +146,18 @@ public final class JournalReader implements AutoCloseable {
         return telemetry.scan(first);
     }
 
-    /** The projects that the session has loaded, by the SHA-256 of their documents. */
-    public Map<String, String> documents() {
-        return new ProjectDocuments(connection).all();
+    /**
+     * The projects that the session has loaded, by the SHA-256 of their documents.
+     *
+     * @throws JournalException where they cannot be read
+     */
+    public Map<String, String> documents() throws JournalException {
+        try {
+            return new ProjectDocuments(connection).all();
+        } catch (SQLException fault) {
+            throw new JournalException(
+                    where, lastIndex(), "has documents that cannot be read: " + fault.getMessage(), fault);
+        }
     }
 
     /** What the journal says before its first entry. */

@@ -106,9 +106,11 @@ public final class JournalTables {
         return header;
     }
 
-    /** What was read when it was opened, with what was known before. */
-    public JournalPart read() {
-        return read;
+    /** What was read when it was opened, with what was known before; only the first call gives a state and telemetry, which take room and are not kept. */
+    public JournalPart takeRead() {
+        JournalPart taken = read;
+        read = read.entriesOnly();
+        return taken;
     }
 
     /** What was found when it was opened. */

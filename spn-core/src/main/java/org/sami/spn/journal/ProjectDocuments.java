@@ -56,9 +56,16 @@ final class ProjectDocuments {
         }
     }
 
-    /** All documents that are what they were, by their SHA-256. */
-    Map<String, String> all() {
+    /**
+     * All documents that are what they were, by their SHA-256; none where there is no table.
+     *
+     * @throws SQLException where they cannot be read
+     */
+    Map<String, String> all() throws SQLException {
         Map<String, String> all = new LinkedHashMap<>();
+        if (!hasTable()) { // asked first, as a query that fails would end a transaction
+            return all;
+        }
         try (PreparedStatement select = connection.prepareStatement("SELECT sha256, content FROM documents");
                 ResultSet rows = select.executeQuery()) {
             while (rows.next()) {
@@ -68,10 +75,22 @@ final class ProjectDocuments {
                     all.put(sha256, content);
                 }
             }
-        } catch (SQLException damagedOrNoTable) {
-            return all;
         }
         return all;
+    }
+
+    /** Whether the journal's own schema has the table; a file has no schemas. */
+    private boolean hasTable() throws SQLException {
+        Optional<String> schema = Optional.ofNullable(connection.getSchema()).filter(name -> !name.isEmpty());
+        try (ResultSet tables = connection.getMetaData().getTables(null, null, "documents", new String[] {"TABLE"})) {
+            while (tables.next()) {
+                String its = tables.getString("TABLE_SCHEM");
+                if (schema.isEmpty() || schema.get().equals(its)) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     private static boolean isOf(String document, String sha256) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.spn.testing.NetBuilder;
@@ -52,5 +53,36 @@ class CrowdedPlacesTest {
             assertThat(session.marking(mission, "from")).isEqualTo(String.join(" ", from));
             assertThat(session.marking(mission, "to")).isEqualTo(String.join(" ", to));
         }
+    }
+
+    @Test
+    void robotsAreFoundAmongAThousandGenericTokens() {
+        Session session = new Session(new NetBuilder("go")
+                .start("start")
+                .transition("begin")
+                .in("start", "begin", "always")
+                .out("begin", "from", "take all any", "add 1000 generic")
+                .transition("moved", "News")
+                .in("from", "moved", "relevant all")
+                .out("moved", "to", "take all relevant")
+                .transition("cleared", "News")
+                .in("to", "cleared", "relevant all", "proxy >= 2")
+                .in("from", "cleared", "always")
+                .out("cleared", "rest", "take all generic")
+                .build());
+        session.join("a", "b", "c");
+        long mission = session.start("go");
+        assertThat(session.marking(mission, "from")).startsWith("generic a b c generic generic");
+
+        session.news("News", "b");
+        assertThat(session.marking(mission, "from")).startsWith("generic a c generic generic");
+        assertThat(session.marking(mission, "to")).isEqualTo("b");
+
+        session.news("News", "c"); // the generic tokens leave after it, and with them the table of robots
+        assertThat(session.marking(mission, "from")).isEqualTo("a");
+        assertThat(session.marking(mission, "to")).isEqualTo("b c");
+        session.news("News", "a");
+        assertThat(session.marking(mission, "from")).isEmpty();
+        assertThat(session.marking(mission, "to")).isEqualTo("b c a");
     }
 }

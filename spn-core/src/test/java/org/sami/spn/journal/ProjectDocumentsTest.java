@@ -1,6 +1,7 @@
 package org.sami.spn.journal;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.sami.spn.host.HostPlans.number;
 
 import java.io.IOException;
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.JournalEntry;
+import org.sami.spn.host.JournalException;
 import org.sami.spn.protocol.Input;
 
 /** Projects that were loaded during a session, in its journal: each document once, and damage to one is seen. */
@@ -101,6 +103,29 @@ class ProjectDocumentsTest {
         try (JournalReader reader = JournalReader.open(file())) {
             assertThat(reader.recovery().damage()).isEmpty();
             assertThat(reader.entries()).extracting(JournalEntry::input).containsExactly(number(1), FIRST, SECOND);
+        }
+    }
+
+    @Test
+    void documentsThatCannotBeReadAreAFaultAndNoTableIsNone() throws Exception {
+        write();
+        try (JournalReader reader = JournalReader.open(file())) {
+            assertThat(reader.documents()).hasSize(2);
+
+            alter("ALTER TABLE documents RENAME COLUMN content TO other");
+            assertThatThrownBy(reader::documents)
+                    .isInstanceOf(JournalException.class)
+                    .hasMessageContaining("has documents that cannot be read");
+
+            alter("DROP TABLE documents");
+            assertThat(reader.documents()).isEmpty();
+        }
+    }
+
+    private void alter(String sql) throws SQLException {
+        try (Connection connection = connection();
+                Statement statement = connection.createStatement()) {
+            statement.execute(sql);
         }
     }
 

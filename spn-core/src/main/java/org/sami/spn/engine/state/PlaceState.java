@@ -16,7 +16,7 @@ import org.sami.spn.protocol.Token;
  * and its removal in a crowded place, which has a table.
  */
 public final class PlaceState {
-    /** Up to so many proxy and task tokens are found by looking through them: in most places no table is needed. */
+    /** Where up to so many tokens stand, one is found by looking through them: in most places no table is needed. */
     static final int FEW = 16;
 
     public final MissionState mission;
@@ -29,7 +29,7 @@ public final class PlaceState {
 
     private @Nullable Visit firstHere;
     private @Nullable Visit lastHere;
-    /** The copies of each proxy and task token, oldest first; null until one is looked for where there are more than a few. */
+    /** The copies of each proxy and task token, oldest first; null until one is looked for where there are more than a few tokens of any kind. */
     private @Nullable Map<Token, List<PlacedToken>> named;
 
     /** Visits by nobody that have not ended. */
@@ -169,11 +169,7 @@ public final class PlaceState {
 
     /** A table is kept until half as many tokens are left, so that one that comes and goes does not make it again each time. */
     private boolean isCrowded() {
-        return named != null || namedTokens() > FEW;
-    }
-
-    private int namedTokens() {
-        return proxies + tasks;
+        return named != null || total() > FEW;
     }
 
     private Map<Token, List<PlacedToken>> named() {
@@ -248,7 +244,7 @@ public final class PlaceState {
         if (v.hasLeft()) {
             unlink(v);
         }
-        if (namedTokens() <= FEW / 2) {
+        if (total() <= FEW / 2) {
             named = null;
         }
         if (named != null && kind != PlacedToken.GENERIC) {
