@@ -127,7 +127,10 @@ public final class ServeCommand implements Callable<Integer> {
             throw new UsageFault("--script: " + script + " cannot be read");
         }
         Optional<PairedBase> paired = pair.open();
-        paired.ifPresent(base -> options.keepIn(base.journal()));
+        paired.ifPresent(base -> {
+            options.keepIn(base.journal());
+            print(spec.commandLine().getOut(), "pair: the session is kept in " + base.journal());
+        });
         boolean waits = paired.map(PairedBase::standsBy).orElse(standby);
         if (standby && !waits) {
             throw new UsageFault("this base has the session's database; --standby is for the other base of the pair");

@@ -67,8 +67,8 @@ class PairProcessTest {
             networks.cutFromFirst();
             networks.cutFromSecond();
 
-            await(first, "this base stops commanding");
             await(second, SERVES);
+            assertThat(first.out()).as("the first stopped before").contains("this base stops commanding");
             networks.heal();
             await(first, "took the session over");
             assertThat(first.await(120)).isEqualTo(4);

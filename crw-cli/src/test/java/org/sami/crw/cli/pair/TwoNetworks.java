@@ -1,5 +1,6 @@
 package org.sami.crw.cli.pair;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
@@ -21,13 +22,13 @@ final class TwoNetworks implements AutoCloseable {
         assumeTrue(
                 ip("netns", "add", first),
                 "networks of their own need root and the program ip: sudo apt install iproute2, then run as root");
-        ip("netns", "add", second);
-        ip("link", "add", "va", "netns", first, "type", "veth", "peer", "name", "vb", "netns", second);
-        ip("-n", first, "addr", "add", FIRST_ADDRESS + "/24", "dev", "va");
-        ip("-n", second, "addr", "add", SECOND_ADDRESS + "/24", "dev", "vb");
+        must("netns", "add", second);
+        must("link", "add", "va", "netns", first, "type", "veth", "peer", "name", "vb", "netns", second);
+        must("-n", first, "addr", "add", FIRST_ADDRESS + "/24", "dev", "va");
+        must("-n", second, "addr", "add", SECOND_ADDRESS + "/24", "dev", "vb");
         for (String network : List.of(first, second)) {
-            ip("-n", network, "link", "set", "lo", "up");
-            ip("-n", network, "link", "set", network.equals(first) ? "va" : "vb", "up");
+            must("-n", network, "link", "set", "lo", "up");
+            must("-n", network, "link", "set", network.equals(first) ? "va" : "vb", "up");
         }
     }
 
@@ -41,18 +42,22 @@ final class TwoNetworks implements AutoCloseable {
 
     /** What the first sends is lost from now on: it goes to a card that nobody has. */
     void cutFromFirst() throws IOException, InterruptedException {
-        ip("-n", first, "neigh", "replace", SECOND_ADDRESS, "lladdr", NOBODYS, "dev", "va", "nud", "permanent");
+        must("-n", first, "neigh", "replace", SECOND_ADDRESS, "lladdr", NOBODYS, "dev", "va", "nud", "permanent");
     }
 
     /** What the second sends is lost from now on. */
     void cutFromSecond() throws IOException, InterruptedException {
-        ip("-n", second, "neigh", "replace", FIRST_ADDRESS, "lladdr", NOBODYS, "dev", "vb", "nud", "permanent");
+        must("-n", second, "neigh", "replace", FIRST_ADDRESS, "lladdr", NOBODYS, "dev", "vb", "nud", "permanent");
     }
 
     /** Both reach one another again. */
     void heal() throws IOException, InterruptedException {
-        ip("-n", first, "neigh", "del", SECOND_ADDRESS, "dev", "va");
-        ip("-n", second, "neigh", "del", FIRST_ADDRESS, "dev", "vb");
+        must("-n", first, "neigh", "del", SECOND_ADDRESS, "dev", "va");
+        must("-n", second, "neigh", "del", FIRST_ADDRESS, "dev", "vb");
+    }
+
+    private static void must(String... arguments) throws IOException, InterruptedException {
+        assertThat(ip(arguments)).as("ip %s", String.join(" ", arguments)).isTrue();
     }
 
     private static boolean ip(String... arguments) throws IOException, InterruptedException {
