@@ -11,16 +11,10 @@ import java.util.Optional;
  * see the row renewed again before it goes on by itself.
  */
 final class LeaseSight {
-    private static final long NANOS_A_MILLI = 1_000_000;
-
-    /** Clocks that differ by more: the machine slept, or its clock was set. */
-    private static final long SLEPT_MILLIS = 1000;
-
     private final Duration length;
     private Optional<LeaseTable.Holder> seen = Optional.empty();
     private long sinceNanos;
     private long lookNanos;
-    private long lookMillis;
     private boolean renewed;
 
     /** How a lease looks. */
@@ -47,18 +41,14 @@ final class LeaseSight {
     /**
      * Looks at the row.
      *
-     * @param nowNanos a clock that does not jump; it may stand still while the machine sleeps
-     * @param nowMillis the machine's clock, which does not; it may be set
+     * @param nowNanos a clock that does not jump, and counts while the machine sleeps
      * @param follows whether the row is of now: an old replica, which gets nothing, has an old row
      */
-    Sight look(LeaseTable.Holder holder, long nowNanos, long nowMillis, boolean follows) {
-        long pause = (nowNanos - lookNanos) / NANOS_A_MILLI;
-        boolean stoodStill = pause > length.toMillis() / 2 || Math.abs(nowMillis - lookMillis - pause) > SLEPT_MILLIS;
-        if (seen.isPresent() && stoodStill) {
+    Sight look(LeaseTable.Holder holder, long nowNanos, boolean follows) {
+        if (seen.isPresent() && nowNanos - lookNanos > length.toNanos() / 2) {
             forget();
         }
         lookNanos = nowNanos;
-        lookMillis = nowMillis;
         boolean changed = seen.isEmpty()
                 || seen.get().epoch() != holder.epoch()
                 || !seen.get().ends().equals(holder.ends());

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.sql.Connection;
 import java.sql.SQLException;
-import java.time.InstantSource;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -23,7 +22,7 @@ final class LeaseWatch {
     private final PostgresAddress address;
     private final Taking taking;
     private final LongSupplier nanos;
-    private final InstantSource wall;
+    private final OtherSessions others;
     private final LeaseSight sight;
     private final Consumer<String> lines;
     private String said = "";
@@ -44,20 +43,13 @@ final class LeaseWatch {
      * A watch that has not begun.
      *
      * @param terms how long a lease lasts
-     * @param nanos a clock that does not jump
-     * @param wall the machine's clock, which tells that it slept
+     * @param nanos a clock that does not jump, and counts while the machine sleeps
      * @param lines what it waits for, for people; each line once in a row
      */
-    LeaseWatch(
-            PostgresAddress address,
-            LeaseTerms terms,
-            LongSupplier nanos,
-            InstantSource wall,
-            Taking taking,
-            Consumer<String> lines) {
+    LeaseWatch(PostgresAddress address, LeaseTerms terms, LongSupplier nanos, Taking taking, Consumer<String> lines) {
         this.address = address;
         this.nanos = nanos;
-        this.wall = wall;
+        this.others = new OtherSessions(address, terms.length());
         this.sight = new LeaseSight(terms.length());
         this.taking = taking;
         this.lines = lines;
@@ -97,7 +89,7 @@ final class LeaseWatch {
                 if (holder.isEmpty()) {
                     say("nobody has begun the session");
                 } else if (ofAPair) {
-                    if (isOver(holder.get(), connection)) {
+                    if (mayTake(holder.get(), connection)) {
                         promote(connection);
                         return taking.takeSeen(holder.get());
                     }
@@ -117,8 +109,25 @@ final class LeaseWatch {
                 .isEmpty();
     }
 
+    private boolean mayTake(LeaseTable.Holder holder, Connection connection) throws SQLException {
+        Optional<String> other = others.live(connection, nanos.getAsLong());
+        if (!isOver(holder, connection)) {
+            return false;
+        }
+        if (other.isEmpty() || !isReplica(connection)) {
+            return true;
+        }
+        say("the session " + other.get()
+                + " of this pair goes on at the other base: this one's replica stays a replica");
+        return false;
+    }
+
+    private static boolean isReplica(Connection connection) throws SQLException {
+        return Connections.text(connection, "SELECT pg_is_in_recovery()").equals("t");
+    }
+
     private boolean isOver(LeaseTable.Holder holder, Connection connection) throws SQLException {
-        return switch (sight.look(holder, nanos.getAsLong(), wall.millis(), isOfNow(connection))) {
+        return switch (sight.look(holder, nanos.getAsLong(), isOfNow(connection))) {
             case OVER -> true;
             case HELD -> {
                 say("the session is held by " + holder.words());
@@ -157,7 +166,7 @@ final class LeaseWatch {
 
     /** Has a replica become the database. */
     private void promote(Connection connection) throws SQLException {
-        if (!Connections.text(connection, "SELECT pg_is_in_recovery()").equals("t")) {
+        if (!isReplica(connection)) {
             promoted = true;
             return;
         }

@@ -29,7 +29,10 @@ public final class PostgresStore implements JournalStore {
 
     /** With the terms of a session, for this process. */
     public PostgresStore() {
-        this(LeaseTerms.STANDARD, ProcessName.ofThisProcess(), System::nanoTime);
+        this(
+                LeaseTerms.STANDARD,
+                ProcessName.ofThisProcess(),
+                new ElapsedTime(System::nanoTime, InstantSource.system()));
     }
 
     /**
@@ -96,7 +99,7 @@ public final class PostgresStore implements JournalStore {
             String text, JournalOptions options, Consumer<String> lines, Supplier<Optional<JournalPart>> ahead)
             throws IOException {
         PostgresAddress address = PostgresAddress.parse(text);
-        Lease lease = new LeaseWatch(address, terms, nanos, InstantSource.system(), taking(address), lines).await();
+        Lease lease = new LeaseWatch(address, terms, nanos, taking(address), lines).await();
         try {
             lines.accept("nobody held the session any more; this base has taken it");
             return open(address, options, () -> lease, ahead);

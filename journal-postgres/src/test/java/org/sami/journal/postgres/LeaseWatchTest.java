@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
 import java.sql.SQLException;
-import java.time.InstantSource;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
@@ -135,7 +134,6 @@ class LeaseWatchTest {
                     parsed,
                     terms,
                     System::nanoTime,
-                    InstantSource.system(),
                     new LeaseWatch.Taking() {
                         @Override
                         public Optional<Lease> takeIfFree() throws SQLException {
