@@ -119,6 +119,7 @@ public final class BasePair {
                 ? "no standby answers"
                 : look.isStreaming()
                         ? "its standby follows, " + look.behindBytes() + " bytes behind"
+                                + (look.isWatched() ? "" : ", but no 'crw serve --pair' waits there")
                         : "its standby catches up";
         return "database of the session, " + (Replication.waitsForStandby(connection) ? "protected: " : "alone: ")
                 + standby;

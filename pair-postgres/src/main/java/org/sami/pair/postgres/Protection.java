@@ -9,8 +9,10 @@ package org.sami.pair.postgres;
 public record Protection(State state, String text, String advice) {
     /** Its kinds. */
     public enum State {
-        /** The other base has all that is confirmed. */
+        /** The other base has all that is confirmed, and waits to go on with it. */
         PROTECTED,
+        /** The other base's database has all that is confirmed, but no base waits there to go on with it. */
+        COPIED,
         /** This base does not wait for the other. */
         ALONE,
         /** This base waits for the other, which says nothing: it stops commanding. */

@@ -41,14 +41,15 @@ final class Replication {
     /** How its standby follows. */
     static StandbyLook standby(Connection connection) throws SQLException {
         boolean ended = StandbySign.hasEnded(connection);
+        boolean watched = StandbySign.isThere(connection);
         try (Statement statement = connection.createStatement();
                 ResultSet rows = statement.executeQuery(
                         "SELECT state = 'streaming', coalesce(pg_wal_lsn_diff(pg_current_wal_lsn(), replay_lsn), 0)"
                                 + " FROM pg_stat_replication WHERE application_name = '" + StandbySign.NAME + "'"
                                 + " ORDER BY backend_start DESC LIMIT 1")) {
             return rows.next()
-                    ? new StandbyLook(true, rows.getBoolean(1), rows.getLong(2), ended)
-                    : new StandbyLook(false, false, 0, ended);
+                    ? new StandbyLook(true, rows.getBoolean(1), rows.getLong(2), watched, ended)
+                    : new StandbyLook(false, false, 0, watched, ended);
         }
     }
 

@@ -67,6 +67,7 @@ public final class StandbyMonitor implements AutoCloseable {
             if (used == null) {
                 used = connections.own();
                 connection = used;
+                StandbySign.completeTable(used);
             }
             look(used);
         } catch (SQLException fault) {
@@ -134,6 +135,13 @@ public final class StandbyMonitor implements AutoCloseable {
                     "alone, " + why + ": what this base writes is on this machine only",
                     "Once 'crw serve --pair' runs on " + settings.other() + ", the session is protected again");
         }
+        if (look.isConnected() && !look.isWatched()) {
+            return new Protection(
+                    Protection.State.COPIED,
+                    "copied: " + settings.other()
+                            + " has all that is confirmed, but nobody waits there to go on with it",
+                    "On " + settings.other() + ": crw serve --pair");
+        }
         if (look.isConnected()) {
             return new Protection(
                     Protection.State.PROTECTED, "protected: " + settings.other() + " has all that is confirmed", "");
@@ -141,7 +149,7 @@ public final class StandbyMonitor implements AutoCloseable {
         return new Protection(
                 Protection.State.SILENT,
                 "nothing comes from " + settings.other()
-                        + ", which may go on with the session: this base stops commanding" + " until it answers",
+                        + ", which may go on with the session: this base stops commanding until it answers",
                 "If " + settings.other() + " is off, here: crw pair alone");
     }
 

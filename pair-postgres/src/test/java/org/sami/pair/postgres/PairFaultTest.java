@@ -51,14 +51,14 @@ class PairFaultTest {
         try (TwoBases bases = TwoBases.paired(root, WhenCut.ALONE);
                 StandbyMonitor monitor = monitor(bases);
                 StoredJournal journal = create(bases)) {
-            await(State.PROTECTED);
+            await(State.COPIED);
             PairDatabase.of(bases.second).stop();
 
             await(State.ALONE);
             write(journal, 1);
 
             PairDatabase.of(bases.second).start();
-            await(State.PROTECTED);
+            await(State.COPIED);
             write(journal, 2);
             assertThat(entries(bases.second)).isEqualTo(2);
         }
@@ -69,7 +69,7 @@ class PairFaultTest {
         try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER);
                 StandbyMonitor monitor = monitor(bases);
                 StoredJournal journal = create(bases)) {
-            await(State.PROTECTED);
+            await(State.COPIED);
             PairDatabase.of(bases.second).stop();
             await(State.SILENT);
 
@@ -107,7 +107,7 @@ class PairFaultTest {
         try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER);
                 StandbyMonitor monitor = monitor(bases);
                 StoredJournal journal = create(bases)) {
-            await(State.PROTECTED);
+            await(State.COPIED);
             write(journal, 1);
             Future<StoredJournal> waiting = thread.submit(() -> standBy(bases));
             awaitWords("this base goes on with it by itself");
@@ -131,7 +131,7 @@ class PairFaultTest {
         try (TwoBases bases = TwoBases.paired(root, WhenCut.ALONE);
                 StandbyMonitor monitor = monitor(bases);
                 StoredJournal journal = create(bases)) {
-            await(State.PROTECTED);
+            await(State.COPIED);
             write(journal, 1);
             BasePair second = BasePair.open(bases.second);
             Future<StoredJournal> waiting = thread.submit(() -> standBy(bases));
@@ -154,7 +154,7 @@ class PairFaultTest {
     void aTakeOverByAPersonSaysWhatIsLostWhereTheHolderDoesNotAnswer() throws Exception {
         try (TwoBases bases = TwoBases.paired(root, WhenCut.ALONE);
                 StandbyMonitor monitor = monitor(bases)) {
-            await(State.PROTECTED);
+            await(State.COPIED);
             StoredJournal journal = create(bases);
             write(journal, 1);
             BasePair second = BasePair.open(bases.second);
@@ -180,7 +180,7 @@ class PairFaultTest {
         try (TwoBases bases = TwoBases.paired(root, WhenCut.ALONE);
                 StandbyMonitor monitor = monitor(bases);
                 StoredJournal journal = create(bases)) {
-            await(State.PROTECTED);
+            await(State.COPIED);
             write(journal, 1);
 
             try (Connection second = new PairConnections(bases.second, bases.second.settings()).own(30)) {

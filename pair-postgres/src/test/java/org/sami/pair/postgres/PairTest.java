@@ -53,7 +53,7 @@ class PairTest {
             assertThat(first.checkedPart()).isEqualTo(BasePair.Part.DATABASE);
             assertThat(second.checkedPart()).isEqualTo(BasePair.Part.REPLICA);
             StandbyMonitor monitor = first.monitor(Clock.systemUTC(), this::add);
-            awaitLine("protected");
+            awaitLine("copied");
             StoredJournal journal = create(first);
             BlockingQueue<String> said = new LinkedBlockingQueue<>();
             Future<StoredJournal> waiting = thread.submit(() -> takeOver(second, said));
@@ -81,7 +81,7 @@ class PairTest {
             assertThat(kept).isDirectory();
             assertThat(first.checkedPart()).isEqualTo(BasePair.Part.REPLICA);
             try (StandbyMonitor ofSecond = second.monitor(Clock.systemUTC(), this::add)) {
-                awaitLine("protected: " + bases.firstAddress);
+                awaitLine("copied: " + bases.firstAddress);
             }
         }
     }

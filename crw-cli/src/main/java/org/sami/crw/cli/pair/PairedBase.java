@@ -65,7 +65,8 @@ public final class PairedBase {
             if (now.state() == Protection.State.PROTECTED) {
                 health.over(HealthKind.JOURNAL, SUBJECT);
             } else {
-                Priority severity = now.state() == Protection.State.ALONE ? Priority.MEDIUM : Priority.CRITICAL;
+                boolean goesOn = now.state() == Protection.State.ALONE || now.state() == Protection.State.COPIED;
+                Priority severity = goesOn ? Priority.MEDIUM : Priority.CRITICAL;
                 health.report(
                         HealthFault.of(HealthKind.JOURNAL, SUBJECT, severity, "The pair: " + now.text(), now.advice()));
             }
