@@ -100,14 +100,14 @@ public final class StandbyMonitor implements AutoCloseable {
             }
             case NONE -> {}
         }
+        say(protection(
+                waits, look)); // before the other base is asked, which may take seconds where nothing comes from it
         if (!look.isConnected() && otherWentOn(Replication.timeline(used))) {
             replaced = true;
             say(new Protection(
                     Protection.State.REPLACED,
                     settings.other() + " took the session over: this base ends with it",
                     "This base comes back as the standby by 'crw pair rejoin'"));
-        } else {
-            say(protection(waits, look));
         }
     }
 
