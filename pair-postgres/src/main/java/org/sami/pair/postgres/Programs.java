@@ -68,6 +68,13 @@ public final class Programs {
                 .map(Programs::new);
     }
 
+    /** Those with which the pair of a folder was made, else the newest. */
+    static Programs of(PairFolder folder) throws PairException {
+        return folder.programs().isPresent()
+                ? in(folder.programs().get())
+                : installed().orElseThrow(() -> new PairException(HOW_TO_GET));
+    }
+
     private static int number(Path version) {
         return Integer.parseInt(version.getFileName().toString());
     }

@@ -77,7 +77,7 @@ class PairTest {
                     .isInstanceOf(PairException.class)
                     .hasMessageContaining(bases.secondAddress + " took the session over")
                     .hasMessageContaining("crw pair rejoin");
-            Path kept = PairDatabase.of(bases.first).copyAgain("replaced");
+            Path kept = PairSetup.copyAgain(bases.first, "replaced");
             assertThat(kept).isDirectory();
             assertThat(first.checkedPart()).isEqualTo(BasePair.Part.REPLICA);
             try (StandbyMonitor ofSecond = second.monitor(Clock.systemUTC(), this::add)) {

@@ -53,12 +53,12 @@ final class TwoBases implements AutoCloseable {
 
     void make(WhenCut whenCut) throws IOException {
         PairSettings settings = new PairSettings(firstAddress, secondAddress, PORT, whenCut);
-        PairDatabase.make(first, programs, settings, secrets);
+        PairSetup.make(first, programs, settings, secrets);
         new Invitation(settings.seenByOther(), secrets).write(invitation());
     }
 
     void join() throws IOException {
-        PairDatabase.join(second, programs, Invitation.read(invitation()));
+        PairSetup.join(second, programs, Invitation.read(invitation()));
     }
 
     Path invitation() {

@@ -16,9 +16,9 @@ import org.sami.boat.link.security.Identity;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.pair.postgres.Invitation;
-import org.sami.pair.postgres.PairDatabase;
 import org.sami.pair.postgres.PairSecrets;
 import org.sami.pair.postgres.PairSettings;
+import org.sami.pair.postgres.PairSetup;
 import org.sami.pair.postgres.WhenCut;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -65,9 +65,9 @@ final class InitPairCommand implements Callable<Integer> {
             names = "--when-cut",
             paramLabel = "RULE",
             description = "What happens where the bases do not reach one another, and neither knows whether the other"
-                    + " died. take-over: the standby goes on by itself, and the base that has the session stops commanding"
-                    + " before that. alone: the base that has the session goes on alone, and the standby only by 'crw"
-                    + " take-over' (default: ${DEFAULT-VALUE}).")
+                + " died. take-over: the standby goes on by itself, and the base that has the session stops commanding"
+                + " before that. alone: the base that has the session goes on alone, and the standby only by 'crw"
+                + " take-over' (default: ${DEFAULT-VALUE}).")
     private String whenCut = WhenCut.TAKE_OVER.text();
 
     @Option(
@@ -84,7 +84,7 @@ final class InitPairCommand implements Callable<Integer> {
         PairSettings settings = UsageFault.of(() ->
                 new PairSettings(here == null ? addressTowards(other) : here, other, port, WhenCut.parse(whenCut)));
         PairSecrets secrets = secrets();
-        PairDatabase.make(folder.folder(), programs.programs(), settings, secrets);
+        PairSetup.make(folder.folder(), programs.programs(), settings, secrets);
         new Invitation(settings.seenByOther(), secrets).write(invitation);
         PrintWriter out = spec.commandLine().getOut();
         out.println("made the database of a pair in " + folder.folder().path() + ": this base is " + settings.here()

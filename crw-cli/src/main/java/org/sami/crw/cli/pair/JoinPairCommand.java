@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.pair.postgres.Invitation;
-import org.sami.pair.postgres.PairDatabase;
+import org.sami.pair.postgres.PairSetup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -37,7 +37,7 @@ final class JoinPairCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         Invitation read = Invitation.read(invitation);
-        PairDatabase.join(folder.folder(), programs.programs(), read);
+        PairSetup.join(folder.folder(), programs.programs(), read);
         PrintWriter out = spec.commandLine().getOut();
         out.println("this base, " + read.settings().here() + ", follows the database of "
                 + read.settings().other() + " in " + folder.folder().path());

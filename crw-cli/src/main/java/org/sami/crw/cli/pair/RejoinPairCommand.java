@@ -9,8 +9,8 @@ import java.time.format.DateTimeFormatter;
 import java.util.concurrent.Callable;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.pair.postgres.BasePair;
-import org.sami.pair.postgres.PairDatabase;
 import org.sami.pair.postgres.PairFolder;
+import org.sami.pair.postgres.PairSetup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -38,7 +38,7 @@ final class RejoinPairCommand implements Callable<Integer> {
         PairFolder here = folder.folder();
         BasePair.open(here).checkRejoin();
         String now = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss").format(LocalDateTime.now(ZoneId.systemDefault()));
-        Path kept = PairDatabase.of(here).copyAgain("until-" + now);
+        Path kept = PairSetup.copyAgain(here, "until-" + now);
         PrintWriter out = spec.commandLine().getOut();
         out.println("this base follows the database of " + here.settings().other() + " now; here: crw serve --pair");
         out.println("the database that it had is kept in " + kept);
