@@ -111,8 +111,9 @@ public final class BasePair {
 
     private static String standing(Connection connection) throws SQLException {
         if (Replication.isReplica(connection)) {
-            return "replica, the last it received at "
-                    + Replication.lastReceived(connection).orElse("no time: nothing yet");
+            return Replication.lastReceived(connection)
+                    .map(time -> "replica, the last it received at " + time)
+                    .orElse("replica, which has received nothing yet");
         }
         StandbyLook look = Replication.standby(connection);
         String standby = !look.isConnected()
@@ -189,9 +190,11 @@ public final class BasePair {
         } catch (SQLException silent) {
             // it is off, or cut
         }
-        return Optional.of(settings.other() + " does not answer. This base received the last of it at "
-                + own(Replication::lastReceived).orElse("no time: nothing yet")
-                + "; what the other wrote alone after that is lost");
+        String last = own(Replication::lastReceived)
+                .map(time -> "This base received the last of it at " + time)
+                .orElse("This base has received nothing of it yet");
+        return Optional.of(
+                settings.other() + " does not answer. " + last + "; what the other wrote alone after that is lost");
     }
 
     /**
