@@ -11,7 +11,7 @@ import java.util.OptionalLong;
 /**
  * The row that says who may write. Its epoch only grows: with each holder, and by more where a standby became the database. Whoever appends locks the row's key in the transaction of the
  * append; whoever takes over changes the key. So a take-over waits for appends under way, and an append behind it finds no row of its epoch. What counts is the clock of the one database that
- * all bases ask; where two databases have the row, as one replicates the other, a standby judges it by {@link LeaseSight}.
+ * all bases ask; where two databases have the row, as one replicates the other, a standby judges it by {@link LeaseObservation}.
  */
 final class LeaseTable {
     /** How a lease stands. */

@@ -11,7 +11,7 @@ import java.util.function.LongSupplier;
 
 /**
  * Waits for the end of another's lease and takes it then; of several that wait, the others go on waiting. A database that is gone meanwhile is asked again until it answers. Where the database
- * is one of a pair, the lease is judged by {@link LeaseSight}, and a replica becomes the database before the lease is taken.
+ * is one of a pair, the lease is judged by {@link LeaseObservation}, and a replica becomes the database before the lease is taken.
  */
 final class LeaseWatch {
     private static final long LOOK_MILLIS = 100;
@@ -23,7 +23,7 @@ final class LeaseWatch {
     private final Taking taking;
     private final LongSupplier nanos;
     private final OtherSessions others;
-    private final LeaseSight sight;
+    private final LeaseObservation observation;
     private final Consumer<String> lines;
     private String said = "";
     private boolean answered;
@@ -50,7 +50,7 @@ final class LeaseWatch {
         this.address = address;
         this.nanos = nanos;
         this.others = new OtherSessions(address, terms.length());
-        this.sight = new LeaseSight(terms.length());
+        this.observation = new LeaseObservation(terms.length());
         this.taking = taking;
         this.lines = lines;
     }
@@ -72,7 +72,7 @@ final class LeaseWatch {
                 if (!answered) {
                     throw DatabaseFaults.of(address, 0, "cannot be read", fault);
                 }
-                sight.forget();
+                observation.forget();
                 say("the database does not answer: " + DatabaseFaults.words(fault));
                 pause();
             }
@@ -127,7 +127,7 @@ final class LeaseWatch {
     }
 
     private boolean isOver(LeaseTable.Holder holder, Connection connection) throws SQLException {
-        return switch (sight.look(holder, nanos.getAsLong(), isOfNow(connection))) {
+        return switch (observation.look(holder, nanos.getAsLong(), isOfNow(connection))) {
             case OVER -> true;
             case HELD -> {
                 say("the session is held by " + holder.words());

@@ -13,7 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The other sessions in the database of a pair. A replica becomes the database as a whole: it must not while one of them goes on at the other base. Judged as {@link LeaseSight} does, by how
+ * The other sessions in the database of a pair. A replica becomes the database as a whole: it must not while one of them goes on at the other base. Judged as {@link LeaseObservation} does, by how
  * long the row of a lease stands still.
  */
 final class OtherSessions {

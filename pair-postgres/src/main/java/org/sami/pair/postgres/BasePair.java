@@ -115,7 +115,7 @@ public final class BasePair {
                     .map(time -> "replica, the last it received at " + time)
                     .orElse("replica, which has received nothing yet");
         }
-        StandbyLook look = Replication.standby(connection);
+        StandbyState look = Replication.standby(connection);
         String standby = !look.isConnected()
                 ? "no standby answers"
                 : look.isStreaming()

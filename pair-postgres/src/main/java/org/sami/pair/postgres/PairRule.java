@@ -22,7 +22,7 @@ final class PairRule {
      * @param waits whether the database waits for the standby at present
      * @param look what the database says of the standby
      */
-    static Step next(WhenCut whenCut, boolean waits, StandbyLook look) {
+    static Step next(WhenCut whenCut, boolean waits, StandbyState look) {
         if (!waits) {
             return look.isConnected() && look.isStreaming() && look.behindBytes() <= NEAR_BYTES && !look.hasEnded()
                     ? Step.PROTECT

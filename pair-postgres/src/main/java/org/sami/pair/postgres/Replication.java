@@ -39,7 +39,7 @@ final class Replication {
     }
 
     /** How its standby follows. */
-    static StandbyLook standby(Connection connection) throws SQLException {
+    static StandbyState standby(Connection connection) throws SQLException {
         boolean ended = StandbySign.hasEnded(connection);
         boolean watched = StandbySign.isThere(connection);
         try (Statement statement = connection.createStatement();
@@ -48,8 +48,8 @@ final class Replication {
                                 + " FROM pg_stat_replication WHERE application_name = '" + StandbySign.NAME + "'"
                                 + " ORDER BY backend_start DESC LIMIT 1")) {
             return rows.next()
-                    ? new StandbyLook(true, rows.getBoolean(1), rows.getLong(2), watched, ended)
-                    : new StandbyLook(false, false, 0, watched, ended);
+                    ? new StandbyState(true, rows.getBoolean(1), rows.getLong(2), watched, ended)
+                    : new StandbyState(false, false, 0, watched, ended);
         }
     }
 

@@ -88,7 +88,7 @@ public final class StandbyMonitor implements AutoCloseable {
             return; // for good
         }
         boolean waits = Replication.waitsForStandby(used);
-        StandbyLook look = Replication.standby(used);
+        StandbyState look = Replication.standby(used);
         switch (PairRule.next(settings.whenCut(), waits, look)) {
             case PROTECT -> {
                 Replication.setWaitsForStandby(used, true);
@@ -125,7 +125,7 @@ public final class StandbyMonitor implements AutoCloseable {
         }
     }
 
-    private Protection protection(boolean waits, StandbyLook look) {
+    private Protection protection(boolean waits, StandbyState look) {
         if (!waits) {
             String why = look.hasEnded()
                     ? "the standby was ended"

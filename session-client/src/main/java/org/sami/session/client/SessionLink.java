@@ -39,7 +39,7 @@ final class SessionLink {
     private final LinkListener listener;
     private final ScheduledExecutorService thread;
     private final OpenRequests requests = new OpenRequests();
-    private final BaseScout scout;
+    private final HolderSearch search;
     private Optional<LinkSocket> socket = Optional.empty();
     private volatile long heardNanos = System.nanoTime();
     private boolean welcome; // logged in on this connection
@@ -62,7 +62,7 @@ final class SessionLink {
         clients = new BaseClients(trust);
         this.listener = listener;
         this.thread = thread;
-        scout = new BaseScout(thread, clients, this::leaveFor);
+        search = new HolderSearch(thread, clients, this::leaveFor);
     }
 
     /** Connects, and keeps at it. */
@@ -214,13 +214,13 @@ final class SessionLink {
             listener.quiet(quiet);
         }
         if (welcome) {
-            scout.look(bases.others(), System.nanoTime());
+            search.look(bases.others(), System.nanoTime());
         }
     }
 
     /** Whether the base at hand says that nothing goes on in its session: another may hold it. On the link's thread. */
     void standsStill(boolean now) {
-        scout.need(now);
+        search.need(now);
     }
 
     private void leaveFor(SessionAddress other) {
@@ -289,7 +289,7 @@ final class SessionLink {
         socket.ifPresent(LinkSocket::cut);
         socket = Optional.empty();
         welcome = false;
-        scout.need(false);
+        search.need(false);
         requests.drop(why);
     }
 

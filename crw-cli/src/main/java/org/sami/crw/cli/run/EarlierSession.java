@@ -41,8 +41,8 @@ final class EarlierSession {
             if (header.isPresent()) {
                 refuseRun(journal, header.get());
             }
-            try (Rehearsal rehearsal = new Rehearsal(journal, lines);
-                    WarmStandby warm = new WarmStandby(journal, lines, System::nanoTime, rehearsal::begin)) {
+            try (SessionWarmUp warmUp = new SessionWarmUp(journal, lines);
+                    WarmStandby warm = new WarmStandby(journal, lines, System::nanoTime, warmUp::begin)) {
                 return SessionJournal.takeOver(journal, lines, warm::finish);
             }
         });

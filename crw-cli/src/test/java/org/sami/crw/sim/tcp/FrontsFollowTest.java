@@ -167,7 +167,7 @@ class FrontsFollowTest {
     void frontLeavesABaseThatIsCutOffFromTheJournalOnceAnotherHoldsTheSession() throws Exception {
         PostgresAddress journal = TestDatabase.address();
         try (TwoBases bases = new TwoBases(folder);
-                Doorway database = new Doorway()) {
+                ForwardedPort database = new ForwardedPort()) {
             String port = journal.text().split("localhost:")[1].split("/")[0];
             database.leadTo(Integer.parseInt(port));
             CrwProcess first = bases.serve(journal.text().replace("localhost:" + port, "localhost:" + database.port()));

@@ -32,8 +32,8 @@ final class TwoBases implements RemoteListener, AutoCloseable {
     private static final long AT_MOST_MILLIS = 300_000;
 
     private final Path folder;
-    private final Doorway one = new Doorway();
-    private final Doorway two = new Doorway();
+    private final ForwardedPort one = new ForwardedPort();
+    private final ForwardedPort two = new ForwardedPort();
     private final List<CrwProcess> processes = new ArrayList<>();
     private final ExecutorService front = Executors.newSingleThreadExecutor();
     private final BlockingQueue<String> heard = new LinkedBlockingQueue<>();

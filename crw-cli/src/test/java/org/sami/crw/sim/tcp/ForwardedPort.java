@@ -11,17 +11,17 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 
 /** An address on loopback that is known before the process behind it has one. While nothing listens there, a connection is closed at once. */
-final class Doorway implements Closeable {
+final class ForwardedPort implements Closeable {
     private final ServerSocket listening = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     private final List<Socket> open = new CopyOnWriteArrayList<>();
     private volatile int behind;
 
-    Doorway() throws IOException {
+    ForwardedPort() throws IOException {
         start(this::accept);
     }
 
     private static void start(Runnable work) {
-        Thread one = new Thread(work, "doorway");
+        Thread one = new Thread(work, "forwarded port");
         one.setDaemon(true);
         one.start();
     }

@@ -14,7 +14,7 @@ import java.util.function.Function;
  * Looks whether another base holds the session while the one at hand stands still, as it is cut off from the journal. A standby says at once that it is one; a base that holds the session
  * waits for a name, which it does not get here. On the link's thread.
  */
-final class BaseScout {
+final class HolderSearch {
     private static final long EVERY_NANOS = TimeUnit.SECONDS.toNanos(3);
     private static final Duration CONNECTING = Duration.ofSeconds(5);
     private static final long HEARS_MS = 2000;
@@ -28,11 +28,11 @@ final class BaseScout {
     private int looks;
 
     /**
-     * A scout that is not needed yet.
+     * A search that is not needed yet.
      *
      * @param found is given a base that says nothing of being a standby
      */
-    BaseScout(
+    HolderSearch(
             ScheduledExecutorService thread,
             Function<SessionAddress, HttpClient> clients,
             Consumer<SessionAddress> found) {

@@ -10,7 +10,7 @@ import java.util.Optional;
  * <p>Whether the holder counts on this standby stands in the row. A standby that was away, as its database did not answer or its machine slept, may have missed that it no longer does: it has to
  * see the row renewed again before it goes on by itself.
  */
-final class LeaseSight {
+final class LeaseObservation {
     private final Duration length;
     private Optional<LeaseTable.Holder> seen = Optional.empty();
     private long sinceNanos;
@@ -18,7 +18,7 @@ final class LeaseSight {
     private boolean renewed;
 
     /** How a lease looks. */
-    enum Sight {
+    enum Verdict {
         /** Its holder renews it; this standby could not go on by itself. */
         HELD,
         /** Its holder renews it, and this standby goes on by itself where that ends. */
@@ -34,7 +34,7 @@ final class LeaseSight {
      *
      * @param length how long a lease lasts
      */
-    LeaseSight(Duration length) {
+    LeaseObservation(Duration length) {
         this.length = length;
     }
 
@@ -44,7 +44,7 @@ final class LeaseSight {
      * @param nowNanos a clock that does not jump, and counts while the machine sleeps
      * @param follows whether the row is of now: an old replica, which gets nothing, has an old row
      */
-    Sight look(LeaseTable.Holder holder, long nowNanos, boolean follows) {
+    Verdict look(LeaseTable.Holder holder, long nowNanos, boolean follows) {
         if (seen.isPresent() && nowNanos - lookNanos > length.toNanos() / 2) {
             forget();
         }
@@ -58,13 +58,13 @@ final class LeaseSight {
             seen = Optional.of(holder);
         }
         if (holder.isGivenBack()) {
-            return renewed || follows ? Sight.OVER : Sight.STANDS_STILL;
+            return renewed || follows ? Verdict.OVER : Verdict.STANDS_STILL;
         }
         boolean mayTake = renewed && holder.standbyMayTake();
         if (nowNanos - sinceNanos < length.toNanos()) {
-            return mayTake ? Sight.WATCHED : Sight.HELD;
+            return mayTake ? Verdict.WATCHED : Verdict.HELD;
         }
-        return mayTake ? Sight.OVER : Sight.STANDS_STILL;
+        return mayTake ? Verdict.OVER : Verdict.STANDS_STILL;
     }
 
     /** What was seen before counts no longer: the database was away, and the holder may have been told to go on alone meanwhile. */

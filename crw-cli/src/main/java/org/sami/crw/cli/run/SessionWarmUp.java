@@ -20,8 +20,8 @@ import org.sami.spn.journal.JournalHeader;
  * Opens a session of the same plans beforehand, without a journal and without a boat, and closes it again: what it takes of classes is loaded then, and a take-over need not wait for it. Nothing of it
  * begins, and nobody can log in to it.
  */
-final class Rehearsal implements AutoCloseable {
-    private static final System.Logger LOG = System.getLogger(Rehearsal.class.getName());
+final class SessionWarmUp implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(SessionWarmUp.class.getName());
     private static final People NOBODY = new People() {
         @Override
         public Optional<Person> login(String name, String key) {
@@ -49,14 +49,14 @@ final class Rehearsal implements AutoCloseable {
      * @param journal that of the session
      * @param lines that it is over, for people
      */
-    Rehearsal(JournalAddress journal, Consumer<String> lines) {
+    SessionWarmUp(JournalAddress journal, Consumer<String> lines) {
         this.journal = journal;
         this.lines = lines;
     }
 
     /** Begins in the background. */
     void begin() {
-        Thread thread = new Thread(this::run, "rehearsal");
+        Thread thread = new Thread(this::run, "warm-up of a session");
         thread.setDaemon(true);
         thread.start();
     }
@@ -73,7 +73,7 @@ final class Rehearsal implements AutoCloseable {
         } catch (IOException | RuntimeException fault) {
             LOG.log(
                     System.Logger.Level.DEBUG,
-                    "a rehearsal failed",
+                    "the warm-up of a session failed",
                     fault); // a take-over meets the same, or it does not matter
         }
     }
@@ -85,7 +85,7 @@ final class Rehearsal implements AutoCloseable {
         ServerAddress address = new ServerAddress(InetAddress.getLoopbackAddress(), 0, Optional.empty());
         try (Session session = Session.open(setup);
                 SessionServer server = SessionServer.start(session, NOBODY, address)) {
-            LOG.log(System.Logger.Level.DEBUG, "rehearsed at {0}", server.url());
+            LOG.log(System.Logger.Level.DEBUG, "warmed up at {0}", server.url());
         }
     }
 

@@ -9,4 +9,4 @@ package org.sami.pair.postgres;
  * @param isWatched whether a base waits there to go on with the session, and not its database alone
  * @param hasEnded whether its base ended in order, and does not go on with the session
  */
-record StandbyLook(boolean isConnected, boolean isStreaming, long behindBytes, boolean isWatched, boolean hasEnded) {}
+record StandbyState(boolean isConnected, boolean isStreaming, long behindBytes, boolean isWatched, boolean hasEnded) {}
