@@ -25,7 +25,7 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /**
  * Answers the queries that are saved with the plans of a project, by searches of their nets, and says what came of each. A plan without any is asked whether it stops before its end, and whether
- * every run can end: such an answer is a proof, where the search on the engine only tries values.
+ * every run can end: what is certain then is a proof, where the search on the engine only tries values.
  */
 final class SavedQueries {
     private static final List<PlanQuery> USUAL = List.of(
@@ -51,11 +51,18 @@ final class SavedQueries {
         try {
             PlanNet net = PlanNet.smallest(new PlanNetRequest(project, vocabulary, plan.id(), robots));
             PlanQueries queries = new PlanQueries(net, budget, watch(plan, progress, isStopped));
-            asked.forEach(query -> answers.add(new Answered(plan, queries.answer(query))));
+            asked.forEach(query -> add(plan, queries.answer(query)));
         } catch (PlanNetTooLargeException tooLarge) {
-            asked.forEach(query -> answers.add(new Answered(plan, open(query, tooLarge))));
+            asked.forEach(query -> add(plan, open(query, tooLarge)));
         }
         progress.end();
+    }
+
+    /** An answer that is not certain is left out where nobody asked: the search on the engine has said what it saw. */
+    private void add(Plan plan, PlanQueryAnswer answer) {
+        if (!plan.queries().isEmpty() || answer.result() != Result.OPEN) {
+            answers.add(new Answered(plan, answer));
+        }
     }
 
     private static PlanQueryAnswer open(PlanQuery query, PlanNetTooLargeException tooLarge) {
