@@ -11,6 +11,7 @@ import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.Value;
 
 /**
  * A decision for display, with its markups applied (appendix .2.3). Windows, the console and the simulated operator ask from this alone
@@ -25,6 +26,7 @@ import org.sami.spn.value.ProxyValue;
  * @param attention how the decision draws attention; empty where it does not
  * @param proposedLocation the proposal where a location is asked for; empty without one
  * @param map what it concerns on the map
+ * @param approved what is to be approved or not and has places, such as the path of each robot; empty for other questions
  */
 public record DecisionPresentation(
         Decision decision,
@@ -36,7 +38,8 @@ public record DecisionPresentation(
         MixedInitiative autonomy,
         Optional<Attention> attention,
         Optional<LocationDefault> proposedLocation,
-        MapRelevance map) {
+        MapRelevance map,
+        List<Value> approved) {
     /** How options are laid out. */
     public enum OptionsFormat {
         /** One after the other. */
@@ -66,6 +69,7 @@ public record DecisionPresentation(
         Objects.requireNonNull(attention, "attention");
         Objects.requireNonNull(proposedLocation, "proposedLocation");
         Objects.requireNonNull(map, "map");
+        approved = List.copyOf(approved);
     }
 
     /** Names the decision. */
@@ -130,6 +134,7 @@ public record DecisionPresentation(
                 MixedInitiative.of(changed, autonomy.words()),
                 attention,
                 proposedLocation,
-                map);
+                map,
+                approved);
     }
 }

@@ -15,6 +15,7 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventType;
 
 /** Makes {@link DecisionPresentation}s: asks the engine's state for what a decision does not say itself. */
@@ -44,7 +45,10 @@ public final class DecisionPresenter {
                                 .filter(all::contains)
                                 .map(List::of)
                                 .orElseGet(() -> offeredByDomain(decision))),
-                all);
+                all,
+                decision.question() instanceof Question.Approve
+                        ? asking.map(ApprovedPlaces::of).orElse(List.of())
+                        : List.of());
     }
 
     /** The boats among which the operator chooses where no plan asks. */
@@ -59,7 +63,7 @@ public final class DecisionPresenter {
     public static DecisionPresentation plain(Decision decision) {
         MarkupReader markups = new MarkupReader(decision.markups());
         List<OfferedOption> options = OfferedOptions.of(decision, markups, List.of(), boat -> "");
-        return of(decision, Asker.UNKNOWN, markups, options, List.of(), List.of());
+        return of(decision, Asker.UNKNOWN, markups, options, List.of(), List.of(), List.of());
     }
 
     private static DecisionPresentation of(
@@ -68,7 +72,8 @@ public final class DecisionPresenter {
             MarkupReader markups,
             List<OfferedOption> choices,
             List<String> relevant,
-            List<String> all) {
+            List<String> all,
+            List<Value> approved) {
         String words = decision.automatic()
                 .map(answer -> OfferedOptions.words(answer, choices))
                 .orElse("");
@@ -83,7 +88,8 @@ public final class DecisionPresenter {
                 MixedInitiative.of(decision, words),
                 Attention.of(markups),
                 markups.constant("DefaultLocation", "location", LocationDefault.class),
-                MapRelevance.of(markups, relevant, all));
+                MapRelevance.of(markups, relevant, all),
+                approved);
     }
 
     private static Asker asker(long asks, Optional<Activation> asking, EngineView view) {

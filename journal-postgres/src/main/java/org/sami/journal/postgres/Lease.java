@@ -20,6 +20,10 @@ import org.sami.spn.host.JournalException;
 final class Lease implements AutoCloseable {
     private static final long LOOK_MILLIS = 100;
     private static final int ANSWER_SECONDS = 2;
+    private static final String NO_ANSWER = "the database does not answer in time";
+
+    /** An answer that takes longer is told: twice what a renewal takes with its pause. */
+    private static final Duration SLOW = Duration.ofSeconds(1);
 
     private final PostgresAddress address;
     private final LeaseTerms terms;
@@ -30,7 +34,7 @@ final class Lease implements AutoCloseable {
     private @Nullable Connection connection; // for whoever renews
     private volatile long validUntilNanos;
     private volatile Optional<String> superseded = Optional.empty();
-    private volatile String problem = "the database does not answer in time";
+    private volatile Optional<String> failed = Optional.empty(); // why the last renewal did not come about
 
     private Lease(
             PostgresAddress address,
@@ -170,8 +174,17 @@ final class Lease implements AutoCloseable {
             return superseded;
         }
         return nanos.getAsLong() - validUntilNanos >= 0
-                ? Optional.of("its lease is over, which could not be renewed: " + problem)
+                ? Optional.of("its lease is over, which could not be renewed: " + failed.orElse(NO_ANSWER))
                 : Optional.empty();
+    }
+
+    /** Why it may soon be over: renewals fail, or are not answered for a second. Empty while they are, and where it is over already. */
+    Optional<String> warning() {
+        if (lost().isPresent()) {
+            return Optional.empty();
+        }
+        long age = nanos.getAsLong() - validUntilNanos + terms.ownLimit().toNanos();
+        return failed.or(() -> age > SLOW.toNanos() ? Optional.of(NO_ANSWER) : Optional.empty());
     }
 
     private synchronized void renew() {
@@ -186,7 +199,7 @@ final class Lease implements AutoCloseable {
             }
             renewBy(used);
         } catch (SQLException fault) {
-            problem = DatabaseFaults.words(fault);
+            failed = Optional.of(DatabaseFaults.words(fault));
             if (used != null) {
                 Connections.drop(used);
             }
@@ -209,6 +222,7 @@ final class Lease implements AutoCloseable {
             return false;
         }
         validUntilNanos = asked + terms.ownLimit().toNanos();
+        failed = Optional.empty();
         return true;
     }
 

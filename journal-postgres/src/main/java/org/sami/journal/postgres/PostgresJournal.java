@@ -162,6 +162,11 @@ final class PostgresJournal implements StoredJournal {
         return lease.isSuperseded();
     }
 
+    @Override
+    public Optional<String> warning() {
+        return closed || broken.isPresent() ? Optional.empty() : lease.warning();
+    }
+
     /** Connects again, takes the lease up where nobody else has taken it, and looks how far the journal goes. Also writes the telemetry that waits. */
     @Override
     public synchronized void recover() throws IOException {

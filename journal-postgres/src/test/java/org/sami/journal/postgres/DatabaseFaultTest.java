@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.sql.Connection;
 import java.sql.SQLException;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
@@ -17,6 +18,7 @@ import org.sami.spn.host.Durability;
 import org.sami.spn.host.JournalException;
 import org.sami.spn.journal.JournalOptions;
 import org.sami.spn.journal.JournalReader;
+import org.sami.spn.journal.StoredJournal;
 import org.sami.spn.journal.TelemetryRow;
 
 /** A database that fails loses nothing that was durable, and the journal is gone on with once it is back. */
@@ -113,6 +115,78 @@ class DatabaseFaultTest {
             journal.recover();
             journal.append(Journals.entries(0, 1), Durability.PROCESS);
         }
+    }
+
+    @Test
+    void aBaseIsWarnedOfADatabaseThatIsGoneWhileItsLeaseLasts() throws Exception {
+        try (Relay relay = new Relay()) {
+            String address = TestServer.address(relay.port());
+            PostgresStore often = Journals.base("laptop-1", Duration.ofMillis(50), () -> 0);
+            StoredJournal journal;
+            try (EmbeddedPostgres first = server()) {
+                relay.leadTo(first.getPort());
+                journal = often.create(address, Journals.HEADER, JournalOptions.DEFAULT);
+                assertThat(journal.warning()).isEmpty();
+            }
+            try (journal) {
+                while (journal.warning().isEmpty()) {
+                    Thread.onSpinWait();
+                }
+                journal.check(); // its clock stands still: the lease lasts
+
+                try (EmbeddedPostgres again = server()) {
+                    relay.leadTo(again.getPort());
+                    while (journal.warning().isPresent()) {
+                        Thread.onSpinWait();
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    void aDatabaseWhoseDiskIsFullIsNamedAndGoneOnWithOnceThereIsRoom() throws Exception {
+        String address = TestServer.address();
+        try (PostgresJournal journal = Journals.create("laptop-1", address)) {
+            journal.append(Journals.entries(0, 3), Durability.PROCESS);
+            onEachEntry(address, "RAISE EXCEPTION 'could not extend file' USING ERRCODE = 'disk_full'");
+
+            assertThatThrownBy(() -> journal.append(Journals.entries(3, 2), Durability.POWER))
+                    .isInstanceOf(JournalException.class)
+                    .hasMessageContaining("entry 4: cannot be written: the disk of the database is full");
+            assertThat(journal.isRecoverable()).isTrue();
+            assertThatThrownBy(journal::check).hasMessageContaining("is full");
+
+            TestServer.run(address, "DROP TRIGGER fault ON entries");
+            journal.recover();
+            assertThat(journal.lastIndex()).isEqualTo(3);
+            journal.append(Journals.entries(3, 2), Durability.POWER);
+        }
+        assertThat(TestServer.number(address, "SELECT count(*) FROM entries")).isEqualTo(5);
+    }
+
+    @Test
+    void aDatabaseThatTakesTwoSecondsForABatchKeepsItsHolder() throws Exception {
+        String address = TestServer.address();
+        PostgresStore base = new PostgresStore(LeaseTerms.STANDARD, "laptop-1", System::nanoTime);
+        try (StoredJournal journal = base.create(address, Journals.HEADER, JournalOptions.DEFAULT)) {
+            onEachEntry(address, "PERFORM pg_sleep(2)");
+
+            journal.append(Journals.entries(0, 3), Durability.POWER); // six seconds: the lease lasts three and a half
+
+            journal.check();
+            assertThat(journal.lastIndex()).isEqualTo(3);
+        }
+        assertThat(TestServer.number(address, "SELECT count(*) FROM holders")).isEqualTo(1);
+    }
+
+    /** Has the database do something before each entry that is written. */
+    private static void onEachEntry(String address, String statement) throws SQLException {
+        TestServer.run(
+                address,
+                "CREATE FUNCTION fault() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN " + statement
+                        + "; RETURN NEW; END $$");
+        TestServer.run(address, "CREATE TRIGGER fault BEFORE INSERT ON entries FOR EACH ROW EXECUTE FUNCTION fault()");
     }
 
     @Test

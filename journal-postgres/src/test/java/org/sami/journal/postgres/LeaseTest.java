@@ -95,6 +95,27 @@ class LeaseTest {
     }
 
     @Test
+    void aBaseIsWarnedOfADatabaseThatIsLateBeforeItsLeaseIsOver() throws Exception {
+        AtomicLong nanos = new AtomicLong();
+        PostgresStore store = Journals.base("laptop-1", Journals.OWN_LIMIT, nanos::get);
+        try (StoredJournal journal = store.create(address, Journals.HEADER, JournalOptions.DEFAULT)) {
+            nanos.addAndGet(Duration.ofMillis(900).toNanos());
+            assertThat(journal.warning()).isEmpty();
+            nanos.addAndGet(Duration.ofMillis(200).toNanos());
+            assertThat(journal.warning()).contains("the database does not answer in time");
+            journal.check(); // it may still write
+
+            nanos.addAndGet(Journals.OWN_LIMIT.toNanos());
+            assertThatThrownBy(journal::check).hasMessageContaining("its lease is over");
+            assertThat(journal.warning())
+                    .as("that of a journal that has failed")
+                    .isEmpty();
+            journal.recover();
+            assertThat(journal.warning()).isEmpty();
+        }
+    }
+
+    @Test
     void theDatabasesClockDecidesWhateverTheBaseBelieves() throws Exception {
         long aDayOff = -Duration.ofDays(1).toNanos();
         PostgresStore store = Journals.base("laptop-1", Journals.OWN_LIMIT, () -> aDayOff);

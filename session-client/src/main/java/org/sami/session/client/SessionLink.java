@@ -30,6 +30,9 @@ final class SessionLink {
     /** Of a server that sends something twice a second: the lease is over after 3.5 s, the rest is for the other base to open the session. */
     private static final long SILENT_BASE_NANOS = TimeUnit.SECONDS.toNanos(5);
 
+    /** Of such a server that is the only base: where packets are lost, a new connection gets through before one whose repetitions wait ever longer. */
+    private static final long SILENT_ONLY_BASE_NANOS = TimeUnit.SECONDS.toNanos(8);
+
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(1500);
 
     private final KnownBases bases;
@@ -206,9 +209,9 @@ final class SessionLink {
             return;
         }
         long silent = System.nanoTime() - heardNanos;
-        boolean gone = beats && bases.areSeveral() && welcome && silent > SILENT_BASE_NANOS;
-        if (gone || silent > SILENT_NANOS) {
-            lose("nothing came for " + (gone ? "5 s" : "30 s"), true);
+        long longest = longestSilence();
+        if (silent > longest) {
+            lose("nothing came for " + TimeUnit.NANOSECONDS.toSeconds(longest) + " s", true);
         } else if (beats && welcome && quiet != silent > QUIET_NANOS) {
             quiet = !quiet;
             listener.quiet(quiet);
@@ -216,6 +219,13 @@ final class SessionLink {
         if (welcome) {
             search.look(bases.others(), System.nanoTime());
         }
+    }
+
+    private long longestSilence() {
+        if (!beats || !welcome) {
+            return SILENT_NANOS;
+        }
+        return bases.areSeveral() ? SILENT_BASE_NANOS : SILENT_ONLY_BASE_NANOS;
     }
 
     /** Whether the base at hand says that nothing goes on in its session: another may hold it. On the link's thread. */

@@ -1,13 +1,12 @@
 package org.sami.session.rows;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Optional;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.operator.decision.PendingDecision;
 
-/** What markups ask of whoever shows a decision (appendix .2.3), as members of its row. */
+/** What whoever shows a decision shows with it, as members of its row: what markups ask (appendix .2.3), and what is to be approved. */
 final class DecisionMarkups {
     private DecisionMarkups() {}
 
@@ -28,6 +27,7 @@ final class DecisionMarkups {
                     .put("pictures", boats.showPictures());
         });
         map.area().ifPresent(area -> area(row, area));
+        shown.approved().forEach(value -> Shapes.of(value).ifPresent(shape -> addShape(row, shape)));
         map.information()
                 .ifPresent(information -> row.putObject("information")
                         .put("sensor", information.sensor())
@@ -37,12 +37,13 @@ final class DecisionMarkups {
     private static void area(ObjectNode row, MapRelevance.Area area) {
         Optional<ObjectNode> shape =
                 area.area().map(Shapes::area).or(() -> area.point().map(Shapes::place));
-        if (shape.isPresent()) {
-            ArrayNode shapes = row.putArray("shapes");
-            shapes.addObject().put("label", "").set("shape", shape.get());
-        }
+        shape.ifPresent(one -> addShape(row, one));
         ObjectNode view = row.putObject("view");
         Table.Builder.ids(view, "boats", area.boats());
         area.modification().ifPresent(change -> view.put("change", BoatRows.word(change)));
+    }
+
+    private static void addShape(ObjectNode row, ObjectNode shape) {
+        row.withArray("shapes").addObject().put("label", "").set("shape", shape);
     }
 }

@@ -47,6 +47,13 @@ public interface StoredJournal extends InputJournal {
     }
 
     /**
+     * Why it may soon not be written, in plain words; empty while all is well, and where it cannot be written already. Waits for nobody. From any thread.
+     */
+    default Optional<String> warning() {
+        return Optional.empty();
+    }
+
+    /**
      * The state after the last entry that was there when the journal was opened: what a resume hosts.
      *
      * @param engine built from this journal's plans and vocabulary ({@link #header()})

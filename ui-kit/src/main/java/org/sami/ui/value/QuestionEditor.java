@@ -216,9 +216,10 @@ public final class QuestionEditor {
         return single.filter(ValueChooser.class::isInstance).map(ValueChooser.class::cast);
     }
 
-    /** Shows the maps of the fields whose places can be drawn ({@link #sketch}), or leaves them out where a large map has them. */
+    /** Shows the maps of the fields whose places can be drawn ({@link #sketch}), and that of a single option, or leaves them out where a large map has them. */
     public void useOwnMaps(boolean shown) {
         drawn().forEach(editor -> editor.useOwnMap(shown));
+        chooser().ifPresent(editor -> editor.useOwnMap(shown));
     }
 
     /** What is drawn for the field in which the focus is; empty where it is in none that has a place. */

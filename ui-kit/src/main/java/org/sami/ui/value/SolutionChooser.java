@@ -136,6 +136,14 @@ final class SolutionChooser extends ValueChooser {
         group.clearSelection();
     }
 
+    /** A large map shows a single option as it is offered; of several it shows the chosen one, and the others are compared here. */
+    @Override
+    public void useOwnMap(boolean shown) {
+        if (options.size() == 1) {
+            details.showPictures(shown);
+        }
+    }
+
     @Override
     public void setEditable(boolean editable) {
         buttons.forEach(button -> button.setEnabled(editable));

@@ -1,6 +1,7 @@
 package org.sami.ui.value;
 
 import java.awt.CardLayout;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -33,6 +34,7 @@ final class SolutionDetails {
     private final JPanel deck = new JPanel(cards);
     private final JLabel position = new JLabel(" ");
     private final JComponent component;
+    private final List<JComponent> pictures = new ArrayList<>();
     private int shown;
 
     /**
@@ -96,13 +98,17 @@ final class SolutionDetails {
         List<Figures> all = options.stream().map(Figures::of).toList();
         List<String> compared = Figures.compared(all);
         Figures figures = all.get(option);
-        JPanel detail = new JPanel(new MigLayout("novisualpadding, insets 4, gap 8 2, fillx, wrap 2", "[][grow,fill]"));
+        JPanel detail = new JPanel(
+                new MigLayout("novisualpadding, insets 4, gap 8 2, fillx, hidemode 3, wrap 2", "[][grow,fill]"));
         detail.setOpaque(false);
         detail.setName(field.componentName("detail-" + (option + 1)));
         if (format == Format.STACKED) {
             detail.add(new JLabel("Option " + (option + 1)), "span 2");
         }
-        preview.apply(options.get(option)).ifPresent(picture -> detail.add(picture, "span 2, grow, hmin 140"));
+        preview.apply(options.get(option)).ifPresent(picture -> {
+            pictures.add(picture);
+            detail.add(picture, "span 2, grow, hmin 140");
+        });
         figures.figures().forEach((label, text) -> {
             if (!compared.contains(label)) {
                 SolutionLines.line(detail, label, text);
@@ -114,6 +120,11 @@ final class SolutionDetails {
 
     JComponent component() {
         return component;
+    }
+
+    /** Shows the pictures of the options, or leaves them out. */
+    void showPictures(boolean visible) {
+        pictures.forEach(picture -> picture.setVisible(visible));
     }
 
     /** Shows the details of an option. */

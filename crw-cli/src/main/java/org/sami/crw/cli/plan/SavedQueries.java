@@ -23,13 +23,20 @@ import org.sami.spn.planspace.PlanQueryAnswer.Result;
 import org.sami.spn.planspace.PlanWitness;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** Answers the queries that are saved with the plans of a project, by searches of their nets, and says what came of each. */
+/**
+ * Answers the queries that are saved with the plans of a project, by searches of their nets, and says what came of each. A plan without any is asked whether it stops before its end, and whether
+ * every run can end: what is certain then is a proof, where the search on the engine only tries values.
+ */
 final class SavedQueries {
+    private static final List<PlanQuery> USUAL = List.of(
+            new PlanQuery("it stops before its end", "deadlock", PlanQuery.Expected.NO),
+            new PlanQuery("every run can end", "home ended", PlanQuery.Expected.YES));
+
     private final List<Answered> answers = new ArrayList<>();
 
     private record Answered(Plan plan, PlanQueryAnswer answer) {}
 
-    /** Answers the queries of a plan. Where its net is too large, each of them stays open. */
+    /** Answers the queries of a plan, or the usual ones where it has none. Where its net is too large, each of them stays open. */
     void run(
             Project project,
             Vocabulary vocabulary,
@@ -38,19 +45,24 @@ final class SavedQueries {
             Duration time,
             ProgressDisplay progress,
             BooleanSupplier isStopped) {
-        if (plan.queries().isEmpty()) {
-            return;
-        }
+        List<PlanQuery> asked = plan.queries().isEmpty() ? USUAL : plan.queries();
         SearchBudget budget =
                 new SearchBudget(SearchBudget.MOST_STATES, Runtime.getRuntime().maxMemory() / 2, time);
         try {
             PlanNet net = PlanNet.smallest(new PlanNetRequest(project, vocabulary, plan.id(), robots));
             PlanQueries queries = new PlanQueries(net, budget, watch(plan, progress, isStopped));
-            plan.queries().forEach(query -> answers.add(new Answered(plan, queries.answer(query))));
+            asked.forEach(query -> add(plan, queries.answer(query)));
         } catch (PlanNetTooLargeException tooLarge) {
-            plan.queries().forEach(query -> answers.add(new Answered(plan, open(query, tooLarge))));
+            asked.forEach(query -> add(plan, open(query, tooLarge)));
         }
         progress.end();
+    }
+
+    /** An answer that is not certain is left out where nobody asked: the search on the engine has said what it saw. */
+    private void add(Plan plan, PlanQueryAnswer answer) {
+        if (!plan.queries().isEmpty() || answer.result() != Result.OPEN) {
+            answers.add(new Answered(plan, answer));
+        }
     }
 
     private static PlanQueryAnswer open(PlanQuery query, PlanNetTooLargeException tooLarge) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.cli.CommandResult;
@@ -44,6 +45,23 @@ class AnalyseAllCommandTest {
                 .hasSize(4)
                 .allMatch(line -> line.contains("| no | yes | – | – |"))
                 .allMatch(line -> line.contains("*†") == line.contains("`deploy-and-station-keep`"));
+    }
+
+    /** Also of each other plan that is shipped later: none is left unknown, and no saved query has another answer. */
+    @Test
+    void wholeLibraryIsAnsweredWithThreeAndFiveBoatsAndItsQueriesAreAsExpected() {
+        CommandResult ran = CommandResult.crw("analyse-all", "--boats", "3,5");
+
+        assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+        assertThat(ran.out().lines().filter(line -> line.startsWith("| `")))
+                .hasSizeGreaterThan(50)
+                .noneMatch(line -> line.contains("unknown"));
+        for (String plan : List.of("clv", "station-keep", "clv-interrupts", "recharge", "assemble", "explore-area")) {
+            assertThat(ran.out().lines().filter(line -> line.startsWith("| `" + plan + "` |")))
+                    .as(plan)
+                    .hasSizeGreaterThanOrEqualTo(2)
+                    .allMatch(line -> line.contains("as expected"));
+        }
     }
 
     @Test

@@ -59,6 +59,16 @@ class SavedQueriesTest {
     }
 
     @Test
+    void planWithoutQueriesIsAskedWhetherItAlwaysEnds() throws IOException {
+        CommandResult ran = check(withQueries());
+
+        assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+        assertThat(ran.out())
+                .contains("clv: query \"it stops before its end\" as expected: no: ")
+                .contains("clv: query \"every run can end\" as expected: yes: ");
+    }
+
+    @Test
     void otherAnswerIsAFindingWithTheRunThatShowsIt() throws IOException {
         String file = withQueries("nobody sails", "reachable m(execute.robots) >= 1", "no");
 

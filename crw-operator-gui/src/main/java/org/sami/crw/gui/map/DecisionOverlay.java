@@ -1,5 +1,6 @@
 package org.sami.crw.gui.map;
 
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -24,7 +25,7 @@ import org.sami.ui.map.MapView;
 import org.sami.ui.value.PlacesOnMap;
 
 /**
- * What the shown decision speaks of, on the main map: the boats that it is about stand out, what is chosen or filled in is drawn above
+ * What the shown decision speaks of, on the main map: the boats that it is about stand out, what is to be approved, chosen or filled in is drawn above
  * all else, and the places that the question names are marked.
  */
 final class DecisionOverlay implements DecisionMap {
@@ -73,7 +74,7 @@ final class DecisionOverlay implements DecisionMap {
 
     private void draw(DecisionPresentation decision, List<Value> values) {
         places.show(
-                doubted.map(DecisionOverlay::value).map(List::of).orElse(drawn.isPresent() ? List.of() : values),
+                doubted.map(DecisionOverlay::value).map(List::of).orElseGet(() -> shown(decision, values)),
                 ways.of(doubted.map(DoubtedPaths::mission)
                         .orElse(decision.decision().mission())));
         String prompt = decision.decision().prompt();
@@ -88,6 +89,12 @@ final class DecisionOverlay implements DecisionMap {
             lit.addAll(here); // a place alone dims nothing
         }
         view.highlight(lit);
+    }
+
+    private List<Value> shown(DecisionPresentation decision, List<Value> values) {
+        List<Value> all = new ArrayList<>(decision.approved());
+        all.addAll(drawn.isPresent() ? List.of() : values);
+        return all;
     }
 
     private static Value value(DoubtedPaths paths) {

@@ -119,6 +119,7 @@ class DecisionWordsTest {
                 plain.autonomy(),
                 plain.attention(),
                 plain.proposedLocation(),
-                plain.map());
+                plain.map(),
+                plain.approved());
     }
 }

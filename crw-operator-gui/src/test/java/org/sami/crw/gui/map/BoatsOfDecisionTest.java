@@ -32,7 +32,8 @@ class BoatsOfDecisionTest {
                 plain.autonomy(),
                 plain.attention(),
                 plain.proposedLocation(),
-                plain.map());
+                plain.map(),
+                plain.approved());
     }
 
     @Test

@@ -5,17 +5,27 @@ import static org.sami.crw.gui.EventThreadCall.onEventThread;
 import static org.sami.crw.gui.SessionWorld.until;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.decision.DecisionPresentation;
+import org.sami.crw.decision.DecisionPresenter;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.service.Geodesy;
 import org.sami.palette.ProxyMarks;
 import org.sami.spn.model.Project;
+import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Question;
+import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.MapValue;
+import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.Value;
 import org.sami.ui.check.Layout;
 import org.sami.ui.geo.GeoBounds;
 import org.sami.ui.map.MapView;
@@ -42,12 +52,7 @@ class DecisionOverlayTest {
         try (SessionWorld world = new SessionWorld(PROJECT, "anna")) {
             DecisionOverlay overlay = onEventThread(() -> {
                 Layout.layOut(map, 400, 300);
-                return new DecisionOverlay(
-                        map,
-                        new ProxyMarks(),
-                        new SessionWays(world.context),
-                        new MapPen(map, () -> false, boat -> Optional.empty(), UnaryOperator.identity()),
-                        UnaryOperator.identity());
+                return overlay(world);
             });
             world.start("far");
             until(
@@ -69,6 +74,57 @@ class DecisionOverlayTest {
                 return null;
             });
         }
+    }
+
+    @Test
+    void whatIsToBeApprovedIsDrawnUntilItIsAnswered() throws Exception {
+        try (SessionWorld world = new SessionWorld(PROJECT, "anna")) {
+            onEventThread(() -> {
+                Layout.layOut(map, 400, 300);
+                DecisionOverlay overlay = overlay(world);
+                overlay.show(approving(new GeoPath(List.of(SessionWorld.PIER, TURN))), List.of());
+                assertThat(isTurnOnTheMap()).isTrue();
+
+                overlay.clear();
+                assertThat(isTurnOnTheMap()).isFalse();
+                return null;
+            });
+        }
+    }
+
+    private static DecisionPresentation approving(Value path) {
+        DecisionPresentation plain = DecisionPresenter.plain(new Decision(
+                1,
+                1,
+                1,
+                "ApprovePaths",
+                "Are they to fly these paths?",
+                new Question.Approve(),
+                Optional.empty(),
+                OptionalLong.empty(),
+                Priority.MEDIUM,
+                List.of()));
+        return new DecisionPresentation(
+                plain.decision(),
+                plain.asker(),
+                List.of("anna"),
+                plain.description(),
+                plain.options(),
+                plain.format(),
+                plain.autonomy(),
+                plain.attention(),
+                plain.proposedLocation(),
+                plain.map(),
+                List.of(new MapValue(Map.of(new ProxyValue("anna"), path))));
+    }
+
+    private DecisionOverlay overlay(SessionWorld world) {
+        return new DecisionOverlay(
+                map,
+                new ProxyMarks(),
+                new SessionWays(world.context),
+                new MapPen(map, () -> false, boat -> Optional.empty(), UnaryOperator.identity()),
+                UnaryOperator.identity());
     }
 
     private boolean isTurnOnTheMap() {

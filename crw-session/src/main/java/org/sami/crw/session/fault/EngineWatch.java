@@ -83,11 +83,14 @@ public final class EngineWatch implements HostListener {
     }
 
     private static String remedy(String reason) {
-        if (reason.contains("disk is full")) {
+        if (reason.contains("is full")) {
             return "Make room on the journal's disk";
         }
-        return reason.contains("another program")
-                ? "End the program that has the journal open"
+        if (reason.contains("another program")) {
+            return "End the program that has the journal open";
+        }
+        return reason.contains("database")
+                ? "See to the database and the network to it"
                 : "See to the journal's file and its disk";
     }
 

@@ -13,13 +13,14 @@ import org.sami.crw.operator.health.HealthKind;
 import org.sami.spn.journal.SqliteJournal;
 import org.sami.spn.journal.StoredJournal;
 
-/** Looks at memory and disk on a daemon thread of its own, which may hang with the disk: nothing else waits for it. */
+/** Looks at memory, disk and the journal's database on a daemon thread of its own, which may hang with the disk: nothing else waits for it. */
 public final class SystemWatch implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(SystemWatch.class.getName());
     private static final int DISK_EVERY = 5;
 
     private final HealthModel health;
     private final Optional<JournalWatch> journal;
+    private final Optional<DatabaseWatch> database;
     private final MemoryWatch memory = new MemoryWatch();
     private final ExecutorService thread;
     private final AtomicBoolean looking = new AtomicBoolean();
@@ -28,13 +29,14 @@ public final class SystemWatch implements AutoCloseable {
     /**
      * Watches from now on, at each call of {@link #look}.
      *
-     * @param journal the journal whose file and disk it watches, if it is a file; empty for none
+     * @param journal the journal whose file and disk it watches, or else its database; empty for none
      * @param guard receives exceptions of this watch
      */
     public SystemWatch(Optional<StoredJournal> journal, HealthModel health, ThreadGuard guard) {
         this.health = health;
         this.journal =
                 journal.flatMap(one -> one instanceof SqliteJournal file ? watch(file, health) : Optional.empty());
+        database = journal.filter(one -> one.inFile().isEmpty()).map(one -> new DatabaseWatch(one::warning));
         thread = Executors.newSingleThreadExecutor(work -> {
             Thread made = new Thread(work, "system-watch");
             made.setDaemon(true);
@@ -80,6 +82,8 @@ public final class SystemWatch implements AutoCloseable {
                 // an entry that is there stays
             }
         }
+        database.ifPresent(one -> one.look()
+                .ifPresentOrElse(health::report, () -> health.over(HealthKind.JOURNAL, DatabaseWatch.SUBJECT)));
         if (looks++ % DISK_EVERY == 0) {
             journal.ifPresent(one -> one.look(atMillis));
         }
