@@ -35,8 +35,6 @@ public final class Firing {
     private final MissionRules rules;
     private final Selection selection;
     private final Combinations combinations;
-    /** Number of the present chain of firings without new input. */
-    private long chain;
 
     Firing(RuleStep step, MissionRules rules) {
         this.step = step;
@@ -46,7 +44,7 @@ public final class Firing {
     }
 
     public void newChain() {
-        chain++;
+        step.state.chain++;
     }
 
     /** Looks at a transition whose turn it is on the work list. */
@@ -71,8 +69,8 @@ public final class Firing {
 
     private boolean mayFire(TransitionState t) {
         MissionState m = t.mission;
-        if (m.chainNumber != chain) {
-            m.chainNumber = chain;
+        if (m.chainNumber != step.state.chain) {
+            m.chainNumber = step.state.chain;
             m.chain = 0;
         }
         if (m.chain >= step.project().livelockLimit) {

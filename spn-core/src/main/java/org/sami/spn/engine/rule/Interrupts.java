@@ -71,9 +71,9 @@ public final class Interrupts {
     public void interrupt(Input.Interrupt press) {
         List<MissionState> missions = new ArrayList<>();
         if (press.mission() == Ids.NONE) {
-            missions.addAll(rules.state.missions.values());
-        } else if (rules.state.missions.containsKey(press.mission())) {
-            missions.add(rules.state.missions.get(press.mission()));
+            missions.addAll(rules.state().missions.values());
+        } else if (rules.state().missions.containsKey(press.mission())) {
+            missions.add(rules.state().missions.get(press.mission()));
         }
         boolean offered = false;
         for (MissionState m : missions) {

@@ -26,7 +26,7 @@ final class Visits {
 
     /** Tokens, or nobody, enter a place. */
     Visit begin(PlaceState place, List<Token> tokens) {
-        NetState state = rules.state;
+        NetState state = rules.state();
         Visit v = new Visit(++state.lastVisit, place, List.copyOf(tokens));
         place.mission.addVisit(v);
         v.enter(state.stamp + 1);
@@ -73,7 +73,7 @@ final class Visits {
             sent.open = false;
             rules.timers.cancelAll(sent);
             if (sent.decision != Ids.NONE) {
-                rules.questions.close(rules.state.decision(sent.decision));
+                rules.questions.close(rules.state().decision(sent.decision));
             }
             rules.emit(new Effect.ActivationEnded(sent.activation.id()));
         }
@@ -103,7 +103,7 @@ final class Visits {
 
     void forget(Visit v) {
         for (SentActivation sent : v.sent) {
-            rules.state.sent.remove(sent.activation.id());
+            rules.state().sent.remove(sent.activation.id());
         }
     }
 }

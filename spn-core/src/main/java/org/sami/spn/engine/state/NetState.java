@@ -33,6 +33,8 @@ public final class NetState {
     public long firings;
     /** Order of the last entry of a token into a place; never used outside. */
     public long stamp;
+    /** Number of the present chain of firings without new input; not part of what is kept. */
+    public long chain;
 
     public final Map<Long, MissionState> missions = new LinkedHashMap<>();
     public final ById<SentActivation> sent;
