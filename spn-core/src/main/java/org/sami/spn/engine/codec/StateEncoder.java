@@ -55,10 +55,10 @@ public final class StateEncoder {
             out.number(n);
         }
         out.texts(s.proxies());
-        out.values(s.globals);
-        out.values(s.memory);
-        out.integer(s.discardedNews.size());
-        s.discardedNews.forEach((type, n) -> {
+        out.values(s.globals.all());
+        out.values(s.memory.all());
+        out.integer(s.discardedNews.all().size());
+        s.discardedNews.all().forEach((type, n) -> {
             out.text(type);
             out.number(n);
         });

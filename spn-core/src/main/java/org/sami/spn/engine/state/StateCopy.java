@@ -18,11 +18,11 @@ public final class StateCopy {
     private final NetState from;
     private final NetState to;
     /** The copies of visits that were asked for, with those of their missions; and of visits that have ended. */
-    private final Map<Visit, Visit> copies = new HashMap<>(0);
+    private Map<Visit, Visit> copies = Map.of();
     /** Missions whose visits are all among them. Most copies ask for none. */
-    private final Set<MissionState> indexed = new HashSet<>(0);
+    private Set<MissionState> indexed = Set.of();
     /** Returns that pending occurrences tell; a visit's instance has its return in no list. Looked up only, never gone through. */
-    private final Map<Return, Return> returns = new HashMap<>(0);
+    private Map<Return, Return> returns = Map.of();
 
     /** The copy of the mission that was asked for last: mostly the next one is of it too. */
     private @Nullable MissionState copiedMission;
@@ -92,7 +92,7 @@ public final class StateCopy {
                 copy.shared[i] = new SharedRun(copy(run.instance, null, copy));
                 for (Return r : run.returns) {
                     Return told = new Return(copy.shared[i].instance, r.tokens, r.value);
-                    returns.put(r, told);
+                    keep(r, told);
                     copy.shared[i].returns.add(told);
                 }
             }
@@ -101,15 +101,27 @@ public final class StateCopy {
 
     /** The copy of a visit; of one that has ended it is made when first asked for. */
     private Visit visit(Visit wanted) {
-        if (indexed.add(wanted.place.mission)) {
+        if (!indexed.contains(wanted.place.mission)) {
+            indexed = indexed.isEmpty() ? new HashSet<>() : indexed;
+            indexed.add(wanted.place.mission);
             Visit copy = place(wanted.place).mission.firstVisit();
             for (Visit v = wanted.place.mission.firstVisit(); v != null && copy != null; v = v.next) {
-                copies.put(v, copy);
+                keep(v, copy);
                 copy = copy.next;
             }
         }
         Visit copy = copies.get(wanted);
         return copy != null ? copy : copy(wanted);
+    }
+
+    private void keep(Visit old, Visit copy) {
+        copies = copies.isEmpty() ? new HashMap<>() : copies;
+        copies.put(old, copy);
+    }
+
+    private void keep(Return old, Return copy) {
+        returns = returns.isEmpty() ? new HashMap<>() : returns;
+        returns.put(old, copy);
     }
 
     private Visit copy(Visit old) {
@@ -121,7 +133,7 @@ public final class StateCopy {
         v.used = old.used;
         v.remembered = old.remembered;
         if (old.ended) {
-            copies.put(old, v);
+            keep(old, v);
         }
         if (!old.ended && old.hasInstances()) {
             v.instances = new ArrayList<>(old.instances.size());
@@ -197,7 +209,7 @@ public final class StateCopy {
         Return made = returns.get(old);
         if (made == null) {
             made = new Return(instance(old.instance), old.tokens, old.value);
-            returns.put(old, made);
+            keep(old, made);
         }
         return made;
     }
