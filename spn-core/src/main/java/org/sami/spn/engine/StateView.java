@@ -158,7 +158,7 @@ final class StateView implements EngineView {
             }
         }
         for (Visit v = m.firstVisit(); v != null; v = v.next) {
-            for (SentActivation sent : v.sent) {
+            for (SentActivation sent = v.firstSent(); sent != null; sent = sent.next()) {
                 if (sent.open && Interrupts.isInterrupt(sent.output.role)) {
                     names.merge(
                             Interrupts.nameOf(sent), sent.output.role == EventRole.PROXY_INTERRUPT, Boolean::logicalOr);

@@ -151,7 +151,9 @@ public final class AlikeState {
                 instance(v.place.mission, i);
             });
         }
-        v.sent.forEach(s -> sent(visit, s));
+        for (SentActivation s = v.firstSent(); s != null; s = s.next()) {
+            sent(visit, s);
+        }
         return visit;
     }
 

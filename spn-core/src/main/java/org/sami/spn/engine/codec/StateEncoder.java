@@ -216,8 +216,8 @@ public final class StateEncoder {
         List<Instance> instances = v.ended ? List.of() : v.instances;
         out.integer(instances.size());
         instances.forEach(this::instance);
-        out.integer(v.sent.size());
-        for (SentActivation s : v.sent) {
+        out.integer(v.countSent());
+        for (SentActivation s = v.firstSent(); s != null; s = s.next()) {
             out.integer(v.place.place.indexOf(s.output));
             out.activation(s.activation);
         }

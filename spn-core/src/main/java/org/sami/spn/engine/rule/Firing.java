@@ -129,7 +129,9 @@ public final class Firing {
         if (scope.reach != Reach.FREE) {
             rules.sharedInstances.pulled(removed, returns, before);
         }
-        nobody.forEach(rules.visits::end);
+        for (Visit v : nobody) {
+            rules.visits.end(v);
+        }
         rules.robotRemoval.askWithoutWithdrawn();
         if (!removed.isEmpty() && !m.decisions.isEmpty()) {
             rules.robotChoices.left(m);
@@ -197,7 +199,7 @@ public final class Firing {
         for (SelectedTokens.UsedReturn used : selected.usedReturns) {
             used.instance().returned.remove(used.token());
         }
-        List<Return> result = new ArrayList<>(0);
+        List<Return> result = List.of();
         for (CompiledPlace place : t.inPlaces) {
             PlaceState state = m.places[place.index];
             if (state == null) {
@@ -212,12 +214,15 @@ public final class Firing {
             PairedReturns paired = PairedReturns.in(state, scope);
             if (paired != null) {
                 for (Return used : paired.returns) {
+                    result = result.isEmpty() ? new ArrayList<>() : result;
                     result.add(new Return(used.instance, paired.tokens, used.value));
                     rules.sharedInstances.used(used, paired.tokens);
                 }
             }
         }
-        scope.checked.forEach(rules.pendings::over);
+        for (Return checked : scope.checked) {
+            rules.pendings.over(checked);
+        }
         return result;
     }
 

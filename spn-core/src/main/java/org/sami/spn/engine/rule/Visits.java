@@ -57,7 +57,7 @@ final class Visits {
             }
         }
         rules.pendings.visitEnded(v);
-        if (!v.sent.isEmpty()) {
+        if (v.firstSent() != null) {
             if (place.place.answersOutliveVisits && !v.byNobody) {
                 remember(v);
             } else {
@@ -69,7 +69,7 @@ final class Visits {
     /** Ends what a visit has going on outside the marking: timers, questions, activations. */
     void close(Visit v) {
         v.ended = true;
-        for (SentActivation sent : v.sent) {
+        for (SentActivation sent = v.firstSent(); sent != null; sent = sent.next()) {
             sent.open = false;
             rules.timers.cancelAll(sent);
             if (sent.decision != Ids.NONE) {
@@ -102,7 +102,7 @@ final class Visits {
     }
 
     void forget(Visit v) {
-        for (SentActivation sent : v.sent) {
+        for (SentActivation sent = v.firstSent(); sent != null; sent = sent.next()) {
             rules.state().sent.remove(sent.activation.id());
         }
     }

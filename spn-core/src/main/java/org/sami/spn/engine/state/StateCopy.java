@@ -38,9 +38,15 @@ public final class StateCopy {
     }
 
     private NetState copy() {
-        from.missions.values().forEach(this::copy); // a parent stands before its children
-        from.decisions.values().forEach(this::copy);
-        from.timers.forEach(this::add);
+        for (MissionState m : from.missions.values()) { // a parent stands before its children
+            copy(m);
+        }
+        for (OpenDecision d : from.decisions.values()) {
+            copy(d);
+        }
+        for (RunningTimer timer : from.timers) {
+            add(timer);
+        }
         return to;
     }
 
@@ -67,7 +73,7 @@ public final class StateCopy {
         old.waiting.forEach(m::addWaiting);
         copyShared(old, m);
         for (Visit v = old.firstVisit(); v != null; v = v.next) {
-            copy(v);
+            copy(v, m.place(v.place.place.index));
         }
         copyEndedVisits(old, m);
         copyPending(old, m);
@@ -111,7 +117,7 @@ public final class StateCopy {
             }
         }
         Visit copy = copies.get(wanted);
-        return copy != null ? copy : copy(wanted);
+        return copy != null ? copy : copy(wanted, place(wanted.place));
     }
 
     private void keep(Visit old, Visit copy) {
@@ -124,8 +130,7 @@ public final class StateCopy {
         returns.put(old, copy);
     }
 
-    private Visit copy(Visit old) {
-        PlaceState place = place(old.place);
+    private Visit copy(Visit old, PlaceState place) {
         MissionState m = place.mission;
         Visit v = new Visit(old.id, place, old.entered);
         v.ended = old.ended;
@@ -142,7 +147,7 @@ public final class StateCopy {
                 v.instances.add(copy(instance, v, place));
             }
         }
-        for (SentActivation s : old.sent) {
+        for (SentActivation s = old.firstSent(); s != null; s = s.next()) {
             SentActivation sent = s.copy(v);
             sent.open = !old.ended;
             v.addSent(sent);
@@ -228,7 +233,14 @@ public final class StateCopy {
     }
 
     private @Nullable SentActivation sent(@Nullable SentActivation old) {
-        return old == null ? null : visit(old.visit).sent.get(old.visit.sent.indexOf(old));
+        if (old == null) {
+            return null;
+        }
+        SentActivation copy = visit(old.visit).firstSent();
+        for (SentActivation s = old.visit.firstSent(); s != old && s != null && copy != null; s = s.next()) {
+            copy = copy.next();
+        }
+        return Objects.requireNonNull(copy, "an activation that was copied");
     }
 
     private void copy(OpenDecision old) {
