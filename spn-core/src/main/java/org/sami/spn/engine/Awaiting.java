@@ -58,7 +58,7 @@ final class Awaiting {
             if (!List.of(t.transition.inPlaces).contains(v.place.place)) {
                 continue;
             }
-            for (SentActivation sent : v.sent) {
+            for (SentActivation sent = v.firstSent(); sent != null; sent = sent.next()) {
                 if (answers(sent, input)) {
                     Optional<String> answered = answered(sent, t);
                     if (answered.isEmpty()) {

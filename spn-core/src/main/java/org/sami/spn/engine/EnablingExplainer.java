@@ -31,11 +31,11 @@ final class EnablingExplainer {
     private final Awaiting awaiting;
     private final ElementWords words;
 
-    EnablingExplainer(EngineState state) {
-        this.state = state.net;
-        this.rules = state.rules();
-        this.awaiting = new Awaiting(state.net);
-        this.words = new ElementWords(state.net);
+    EnablingExplainer(NetState state) {
+        this.state = state;
+        this.rules = new Rules(state);
+        this.awaiting = new Awaiting(state);
+        this.words = new ElementWords(state);
     }
 
     EnablingExplanation explain(long mission, String transition) {

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.engine.rule.Rules;
 import org.sami.spn.engine.state.MissionState;
@@ -32,6 +34,8 @@ public final class Engine {
     public static final int DEFAULT_LIVELOCK_LIMIT = 10_000;
 
     private final CompiledProject project;
+    /** Rules between two steps, for the next one of any state; null while a step works with them. */
+    private final AtomicReference<@Nullable Rules> idle = new AtomicReference<>();
 
     /** An engine for the plans of a project; they are compiled here, once. */
     public Engine(Vocabulary vocabulary, Project project) {
@@ -100,8 +104,8 @@ public final class Engine {
         if (state.net.first != project) {
             throw new IllegalArgumentException("The state belongs to another engine");
         }
-        Rules rules = state.rules();
-        rules.begin(effects);
+        Rules rules = rulesFor(state);
+        rules.begin(state.net, effects);
         try {
             rules.timers.runUntil(nowMillis);
             rules.firing.newChain();
@@ -109,6 +113,22 @@ public final class Engine {
             rules.settle();
         } finally {
             rules.end();
+        }
+        putBack(rules, state);
+    }
+
+    /** The rules that have something left to do for a state; else those that are idle; new ones while another thread works with those. */
+    private Rules rulesFor(EngineState state) {
+        Rules rules = state.unfinished() != null ? state.unfinished() : idle.getAndSet(null);
+        return rules != null ? rules : new Rules(state.net);
+    }
+
+    private void putBack(Rules rules, EngineState state) {
+        if (rules.areDone()) {
+            state.keep(null);
+            idle.set(rules);
+        } else {
+            state.keep(rules);
         }
     }
 
@@ -144,11 +164,11 @@ public final class Engine {
         } else if (input instanceof Input.LoadProject load) {
             refused = rules.projectLoading.load(load);
         } else if (input instanceof Input.AnswerDecision answer) {
-            OpenDecision open = rules.state.decisions.get(answer.decision());
+            OpenDecision open = rules.state().decisions.get(answer.decision());
             mission = open == null ? Ids.NONE : open.decision.mission();
             refused = rules.decisions.answer(answer);
         } else if (input instanceof Input.HoldDecision hold) {
-            OpenDecision open = rules.state.decisions.get(hold.decision());
+            OpenDecision open = rules.state().decisions.get(hold.decision());
             mission = open == null ? Ids.NONE : open.decision.mission();
             refused = rules.decisions.hold(hold.decision());
         } else if (input instanceof Input.Interrupt press) {
@@ -158,7 +178,7 @@ public final class Engine {
         } else if (input instanceof Input.CompleteMission complete) {
             refused = stop(rules, complete.mission(), false);
         } else if (input instanceof Input.ProxyJoined joined) {
-            rules.state.addProxies(List.of(joined.proxy()));
+            rules.state().addProxies(List.of(joined.proxy()));
         } else if (input instanceof Input.ProxyDropped dropped) {
             refused = rules.robotRemoval.drop(dropped);
         } else if (input instanceof Input.AllocateTasks tasks) {
@@ -168,7 +188,7 @@ public final class Engine {
         } else if (input instanceof Input.SetVariable write) {
             refused = set(rules, write);
         } else if (input instanceof Input.HandlerFailed failed) {
-            SentActivation sent = rules.state.sent.get(failed.activation());
+            SentActivation sent = rules.state().sent.get(failed.activation());
             rules.note(
                     NoteKind.HANDLER_FAILED,
                     sent == null ? Ids.NONE : sent.activation.mission(),
@@ -188,14 +208,14 @@ public final class Engine {
 
     private static Optional<String> stop(Rules rules, long id, boolean abort) {
         if (id == Ids.NONE && abort) {
-            for (MissionState m : List.copyOf(rules.state.missions.values())) {
+            for (MissionState m : List.copyOf(rules.state().missions.values())) {
                 if (m.parent == null) {
                     rules.interrupts.abort(m);
                 }
             }
             return Optional.empty();
         }
-        MissionState m = rules.state.missions.get(id);
+        MissionState m = rules.state().missions.get(id);
         if (m == null) {
             return Optional.of("There is no running mission " + id);
         }
@@ -208,7 +228,7 @@ public final class Engine {
     }
 
     private static Optional<String> set(Rules rules, Input.SetVariable write) {
-        MissionState m = rules.state.missions.get(write.mission());
+        MissionState m = rules.state().missions.get(write.mission());
         if (m == null && write.mission() != Ids.NONE) {
             return Optional.of("There is no running mission " + write.mission());
         }
@@ -221,10 +241,10 @@ public final class Engine {
 
     private static Optional<String> remember(Rules rules, Input.Remember remember) {
         if (remember.mission() == Ids.NONE) {
-            rules.state.memory.put(remember.key(), remember.value());
+            rules.state().memory.put(remember.key(), remember.value());
             return Optional.empty();
         }
-        MissionState m = rules.state.missions.get(remember.mission());
+        MissionState m = rules.state().missions.get(remember.mission());
         if (m == null) {
             return Optional.of(
                     "There is no running mission " + remember.mission() + " to remember '" + remember.key() + "' for");

@@ -11,7 +11,8 @@ import org.sami.spn.engine.state.StateCopy;
  */
 public final class EngineState {
     final NetState net;
-    private @Nullable Rules rules;
+    /** Rules that have something left to do in the next step; null where nothing is left. */
+    private @Nullable Rules unfinished;
 
     EngineState(NetState net) {
         this.net = net;
@@ -32,11 +33,14 @@ public final class EngineState {
         return net.now;
     }
 
-    /** The rules at work on this state, made when first needed. */
-    Rules rules() {
-        if (rules == null) {
-            rules = new Rules(net);
-        }
-        return rules;
+    /** The rules with what an earlier step has left to do; null where it left nothing. */
+    @Nullable
+    Rules unfinished() {
+        return unfinished;
+    }
+
+    /** Keeps rules for the next step, or none where they are done. */
+    void keep(@Nullable Rules rules) {
+        unfinished = rules;
     }
 }

@@ -6,6 +6,7 @@ import org.sami.spn.engine.codec.LoadedProjects;
 import org.sami.spn.engine.codec.StateDecoder;
 import org.sami.spn.engine.codec.StateEncoder;
 import org.sami.spn.engine.net.CompiledProject;
+import org.sami.spn.engine.rule.Rules;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.protocol.Input;
 
@@ -53,7 +54,9 @@ public final class StateCodec {
             StateDecoder reader = new StateDecoder(bytes, engine.compiled());
             EngineState state = new EngineState(reader.read(loaded));
             if (reader.omitsUsedReturns()) {
-                state.rules().pendings.tellUnused();
+                Rules rules = new Rules(state.net);
+                rules.pendings.tellUnused();
+                state.keep(rules);
             }
             return state;
         } catch (IllegalArgumentException e) {

@@ -11,6 +11,7 @@ import org.sami.spn.engine.net.CompiledTransition;
 import org.sami.spn.engine.rule.Interrupts;
 import org.sami.spn.engine.rule.MissionStart;
 import org.sami.spn.engine.rule.Routing;
+import org.sami.spn.engine.rule.VariableScopes;
 import org.sami.spn.engine.state.MissionState;
 import org.sami.spn.engine.state.NetState;
 import org.sami.spn.engine.state.OpenDecision;
@@ -36,11 +37,9 @@ import org.sami.spn.vocabulary.Vocabulary;
 
 /** Answers questions about a state. */
 final class StateView implements EngineView {
-    private final EngineState whole;
     private final NetState state;
 
     StateView(EngineState state) {
-        this.whole = state;
         this.state = state.net;
     }
 
@@ -159,7 +158,7 @@ final class StateView implements EngineView {
             }
         }
         for (Visit v = m.firstVisit(); v != null; v = v.next) {
-            for (SentActivation sent : v.sent) {
+            for (SentActivation sent = v.firstSent(); sent != null; sent = sent.next()) {
                 if (sent.open && Interrupts.isInterrupt(sent.output.role)) {
                     names.merge(
                             Interrupts.nameOf(sent), sent.output.role == EventRole.PROXY_INTERRUPT, Boolean::logicalOr);
@@ -176,7 +175,7 @@ final class StateView implements EngineView {
 
     @Override
     public Optional<Value> variable(long mission, String name) {
-        return Optional.ofNullable(whole.rules().scopes.read(state.missions.get(mission), name));
+        return Optional.ofNullable(VariableScopes.read(state, state.missions.get(mission), name));
     }
 
     @Override
@@ -304,6 +303,6 @@ final class StateView implements EngineView {
 
     @Override
     public EnablingExplanation whyNotEnabled(long mission, String transition) {
-        return new EnablingExplainer(whole).explain(mission, transition);
+        return new EnablingExplainer(state).explain(mission, transition);
     }
 }

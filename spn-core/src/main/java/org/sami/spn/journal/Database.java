@@ -94,6 +94,7 @@ final class Database implements AutoCloseable {
 
     private static Connection connect(Path file, SQLiteConfig config) throws JournalException {
         SqliteLibrary.choose();
+        config.setGetGeneratedKeys(false); // nobody asks for them, and the driver would query them after each statement
         try {
             return config.createConnection("jdbc:sqlite:" + file.toAbsolutePath());
         } catch (SQLException fault) {

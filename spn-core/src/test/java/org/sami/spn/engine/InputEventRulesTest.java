@@ -235,7 +235,7 @@ class InputEventRulesTest {
         s.news("Pose", "A");
 
         assertThat(s.notes()).isEmpty();
-        assertThat(s.state().net.discardedNews).containsEntry("Pose", 1L);
+        assertThat(s.state().net.discardedNews.all()).containsEntry("Pose", 1L);
     }
 
     @Test

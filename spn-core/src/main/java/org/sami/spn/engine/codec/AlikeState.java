@@ -52,8 +52,8 @@ public final class AlikeState {
         this.values = new AlikeValues(names, facts);
         state.missions.values().forEach(this::mission);
         state.proxies().forEach(robot -> facts.fact("known", names.robot(robot)));
-        values.all("global", state.globals);
-        values.all("memory", state.memory);
+        values.all("global", state.globals.all());
+        values.all("memory", state.memory.all());
         timers();
         for (OpenDecision d : state.decisions.values()) {
             if (d.purpose != OpenDecision.Purpose.ACTIVATION) {
@@ -151,7 +151,9 @@ public final class AlikeState {
                 instance(v.place.mission, i);
             });
         }
-        v.sent.forEach(s -> sent(visit, s));
+        for (SentActivation s = v.firstSent(); s != null; s = s.next()) {
+            sent(visit, s);
+        }
         return visit;
     }
 

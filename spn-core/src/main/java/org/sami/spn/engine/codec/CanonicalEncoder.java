@@ -37,8 +37,8 @@ public final class CanonicalEncoder {
         trees.forEach(tree -> tree(tree, numbers, out));
         out.text(state.newest().sha256);
         out.texts(state.proxies());
-        out.values(state.globals);
-        out.values(state.memory);
+        out.values(state.globals.all());
+        out.values(state.memory.all());
         questions(out);
         return out.bytes();
     }

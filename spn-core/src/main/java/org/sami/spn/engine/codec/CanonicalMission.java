@@ -144,8 +144,8 @@ final class CanonicalMission {
         List<Instance> instances = v.ended ? List.of() : v.instances;
         out.integer(instances.size());
         instances.forEach(this::instance);
-        out.integer(v.sent.size());
-        for (SentActivation s : v.sent) {
+        out.integer(v.countSent());
+        for (SentActivation s = v.firstSent(); s != null; s = s.next()) {
             out.number(numbers.activation(s.activation.id()));
             out.integer(v.place.place.indexOf(s.output));
             out.content(s.activation, v.entered);
@@ -202,7 +202,7 @@ final class CanonicalMission {
     /** Open interrupt places are pressed in the order in which they were entered, in all places. */
     private void interrupts(MissionState m) {
         for (Visit v = m.firstVisit(); v != null; v = v.next) {
-            for (SentActivation s : v.sent) {
+            for (SentActivation s = v.firstSent(); s != null; s = s.next()) {
                 EventRole role = s.output.role;
                 if (s.open && (role == EventRole.GENERAL_INTERRUPT || role == EventRole.PROXY_INTERRUPT)) {
                     out.number(numbers.activation(s.activation.id()));

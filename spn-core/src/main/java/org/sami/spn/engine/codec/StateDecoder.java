@@ -86,10 +86,9 @@ public final class StateDecoder {
         state.firings = in.number();
         state.stamp = in.number();
         state.addProxies(in.texts());
-        state.globals.clear();
-        state.globals.putAll(in.values());
+        state.globals.replace(in.values());
         if (version > 1) {
-            state.memory.putAll(in.values()); // before, there was none
+            state.memory.replace(in.values()); // before, there was none
         }
         for (int i = in.integer(); i > 0; i--) {
             state.discardedNews.put(in.text(), in.number());

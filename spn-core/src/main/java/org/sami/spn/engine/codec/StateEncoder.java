@@ -55,10 +55,10 @@ public final class StateEncoder {
             out.number(n);
         }
         out.texts(s.proxies());
-        out.values(s.globals);
-        out.values(s.memory);
-        out.integer(s.discardedNews.size());
-        s.discardedNews.forEach((type, n) -> {
+        out.values(s.globals.all());
+        out.values(s.memory.all());
+        out.integer(s.discardedNews.all().size());
+        s.discardedNews.all().forEach((type, n) -> {
             out.text(type);
             out.number(n);
         });
@@ -216,8 +216,8 @@ public final class StateEncoder {
         List<Instance> instances = v.ended ? List.of() : v.instances;
         out.integer(instances.size());
         instances.forEach(this::instance);
-        out.integer(v.sent.size());
-        for (SentActivation s : v.sent) {
+        out.integer(v.countSent());
+        for (SentActivation s = v.firstSent(); s != null; s = s.next()) {
             out.integer(v.place.place.indexOf(s.output));
             out.activation(s.activation);
         }

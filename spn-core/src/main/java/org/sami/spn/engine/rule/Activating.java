@@ -38,7 +38,7 @@ final class Activating {
             SentActivation sent = new SentActivation(resolve(v, output), v, output);
             if (!ending) {
                 v.addSent(sent);
-                rules.state.sent.put(sent.activation.id(), sent);
+                rules.state().sent.put(sent.activation.id(), sent);
             }
             rules.emit(new Effect.Activated(sent.activation));
             act(sent, ending);
@@ -61,7 +61,7 @@ final class Activating {
             }
         }
         return new Activation(
-                ++rules.state.lastActivation,
+                ++rules.state().lastActivation,
                 m.id,
                 m.root.id,
                 v.id,
@@ -153,8 +153,11 @@ final class Activating {
         switch (sent.output.role) {
             case TIMER, PROXY_TIMER -> rules.timers.start(sent);
             case GET_ALL_TOKENS ->
-                rules.post(
-                        () -> answer(sent, EventRole.TOKENS_RETURNED, List.copyOf(rules.state.proxies()), List.of()));
+                rules.post(() -> answer(
+                        sent,
+                        EventRole.TOKENS_RETURNED,
+                        List.copyOf(rules.state().proxies()),
+                        List.of()));
             case GENERATE_TASKS -> {
                 List<TaskId> made = rules.allocation.generate(sent);
                 rules.post(() -> answer(sent, EventRole.TASKS_GENERATED, List.of(), made));

@@ -35,8 +35,6 @@ public final class Firing {
     private final MissionRules rules;
     private final Selection selection;
     private final Combinations combinations;
-    /** Number of the present chain of firings without new input. */
-    private long chain;
 
     Firing(RuleStep step, MissionRules rules) {
         this.step = step;
@@ -46,7 +44,7 @@ public final class Firing {
     }
 
     public void newChain() {
-        chain++;
+        step.state.chain++;
     }
 
     /** Looks at a transition whose turn it is on the work list. */
@@ -71,8 +69,8 @@ public final class Firing {
 
     private boolean mayFire(TransitionState t) {
         MissionState m = t.mission;
-        if (m.chainNumber != chain) {
-            m.chainNumber = chain;
+        if (m.chainNumber != step.state.chain) {
+            m.chainNumber = step.state.chain;
             m.chain = 0;
         }
         if (m.chain >= step.project().livelockLimit) {
@@ -131,7 +129,9 @@ public final class Firing {
         if (scope.reach != Reach.FREE) {
             rules.sharedInstances.pulled(removed, returns, before);
         }
-        nobody.forEach(rules.visits::end);
+        for (Visit v : nobody) {
+            rules.visits.end(v);
+        }
         rules.robotRemoval.askWithoutWithdrawn();
         if (!removed.isEmpty() && !m.decisions.isEmpty()) {
             rules.robotChoices.left(m);
@@ -199,7 +199,7 @@ public final class Firing {
         for (SelectedTokens.UsedReturn used : selected.usedReturns) {
             used.instance().returned.remove(used.token());
         }
-        List<Return> result = new ArrayList<>(0);
+        List<Return> result = List.of();
         for (CompiledPlace place : t.inPlaces) {
             PlaceState state = m.places[place.index];
             if (state == null) {
@@ -214,12 +214,15 @@ public final class Firing {
             PairedReturns paired = PairedReturns.in(state, scope);
             if (paired != null) {
                 for (Return used : paired.returns) {
+                    result = result.isEmpty() ? new ArrayList<>() : result;
                     result.add(new Return(used.instance, paired.tokens, used.value));
                     rules.sharedInstances.used(used, paired.tokens);
                 }
             }
         }
-        scope.checked.forEach(rules.pendings::over);
+        for (Return checked : scope.checked) {
+            rules.pendings.over(checked);
+        }
         return result;
     }
 

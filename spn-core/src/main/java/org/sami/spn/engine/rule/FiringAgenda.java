@@ -84,6 +84,11 @@ final class FiringAgenda {
         }
     }
 
+    /** Whether nothing is left to look at. */
+    boolean isDone() {
+        return list.isEmpty() && withdrawnFrom.isEmpty();
+    }
+
     void run() {
         for (TransitionState t = list.poll(); t != null; t = list.poll()) {
             t.queued = false;

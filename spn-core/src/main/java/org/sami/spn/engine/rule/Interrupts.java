@@ -71,9 +71,9 @@ public final class Interrupts {
     public void interrupt(Input.Interrupt press) {
         List<MissionState> missions = new ArrayList<>();
         if (press.mission() == Ids.NONE) {
-            missions.addAll(rules.state.missions.values());
-        } else if (rules.state.missions.containsKey(press.mission())) {
-            missions.add(rules.state.missions.get(press.mission()));
+            missions.addAll(rules.state().missions.values());
+        } else if (rules.state().missions.containsKey(press.mission())) {
+            missions.add(rules.state().missions.get(press.mission()));
         }
         boolean offered = false;
         for (MissionState m : missions) {
@@ -153,7 +153,7 @@ public final class Interrupts {
     private static List<SentActivation> openInterrupts(MissionState m, String name) {
         List<SentActivation> result = new ArrayList<>();
         for (Visit v = m.firstVisit(); v != null; v = v.next) {
-            for (SentActivation sent : v.sent) {
+            for (SentActivation sent = v.firstSent(); sent != null; sent = sent.next()) {
                 if (sent.open && isInterrupt(sent.output.role) && nameOf(sent).equals(name)) {
                     result.add(sent);
                 }

@@ -80,7 +80,7 @@ final class MissionEnd {
             endTree(child, outcome, true);
         }
         m.ended = true;
-        for (OpenDecision d : rules.state.decisionsOf(m)) {
+        for (OpenDecision d : rules.state().decisionsOf(m)) {
             rules.questions.close(d);
         }
         for (Visit v = m.firstVisit(); v != null; v = v.next) {
@@ -92,7 +92,7 @@ final class MissionEnd {
                 place.lastVisits.values().forEach(rules.visits::forget);
             }
         }
-        rules.state.remove(m);
+        rules.state().remove(m);
         if (m.instance != null) {
             m.instance.child = null;
         }

@@ -16,7 +16,6 @@ import org.sami.spn.value.TaskId;
  */
 final class MissionRules {
     final RuleStep step;
-    final NetState state;
     final FiringAgenda work;
     final TokenPool pool = new TokenPool();
     final Enabling enabling;
@@ -39,13 +38,12 @@ final class MissionRules {
     final RobotRemoval robotRemoval = new RobotRemoval(this);
 
     /**
-     * The rules for one state.
+     * The rules for the state of a step.
      *
      * @param autonomy answers a question that is not left to the operator
      */
     MissionRules(RuleStep step, FiringAgenda work, Consumer<OpenDecision> autonomy) {
         this.step = step;
-        this.state = step.state;
         this.work = work;
         enabling = new Enabling(step, pool);
         pendings = new PendingOccurrences(step, enabling, work);
@@ -56,6 +54,11 @@ final class MissionRules {
         Questions asked = new Questions(step, pendings, scopes);
         questions = new OpenQuestions(step, asked, timers, autonomy);
         robotChoices = new RobotChoices(step, asked, questions, timers, autonomy);
+    }
+
+    /** The state that the step changes. */
+    NetState state() {
+        return step.state;
     }
 
     void emit(Effect effect) {

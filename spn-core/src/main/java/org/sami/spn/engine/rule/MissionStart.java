@@ -62,7 +62,8 @@ public final class MissionStart {
             return wrong;
         }
         if (marking.isPresent()) {
-            wrong = StartMarkingCheck.problem(marking.get(), plan.plan, rules.state.proxies())
+            wrong = StartMarkingCheck.problem(
+                            marking.get(), plan.plan, rules.state().proxies())
                     .or(parameters::takeDefaults);
             if (wrong.isPresent()) {
                 return wrong;
@@ -95,12 +96,12 @@ public final class MissionStart {
     /** Makes a mission with its tasks and variables; nothing stands in its places yet. */
     public MissionState make(
             CompiledPlan plan, String name, @Nullable MissionState parent, @Nullable Instance instance) {
-        MissionState m = new MissionState(++rules.state.lastMission, plan, name, parent, instance);
+        MissionState m = new MissionState(++rules.state().lastMission, plan, name, parent, instance);
         for (VariableSpec v : plan.plan.variables()) {
             v.initial().ifPresent(value -> m.setVariable(v.name(), value));
         }
-        m.startedAt = rules.state.now;
-        rules.state.add(m);
+        m.startedAt = rules.state().now;
+        rules.state().add(m);
         rules.emit(started(m));
         for (TaskSpec task : plan.plan.tasks()) {
             m.addTask(new TaskState(m.taskId(task.name()), task.taskClass(), task.fields(), null));
@@ -164,7 +165,7 @@ public final class MissionStart {
     private List<Token> rootTokens(MissionState m) {
         List<Token> tokens = new ArrayList<>();
         tokens.add(Token.GENERIC);
-        tokens.addAll(rules.state.proxyTokens());
+        tokens.addAll(rules.state().proxyTokens());
         m.tasks.values().forEach(t -> tokens.add(new Token.Task(t.id)));
         return tokens;
     }

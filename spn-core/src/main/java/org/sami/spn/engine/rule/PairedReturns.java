@@ -36,6 +36,9 @@ final class PairedReturns {
 
     /** The earliest pairing of a place for a firing, older returns of earlier instances first; null where it must wait. */
     static @Nullable PairedReturns in(PlaceState place, FiringScope scope) {
+        if (place.shared.length == 0) {
+            return UNLIMITED;
+        }
         List<List<Return>> choices = new ArrayList<>(place.shared.length);
         for (SharedRun run : place.shared) {
             if (scope.needsReturn(run)) {

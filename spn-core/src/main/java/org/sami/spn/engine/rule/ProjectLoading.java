@@ -76,7 +76,7 @@ public final class ProjectLoading {
         earlier.add(before);
         for (VariableSpec declared : loaded.project.globals()) {
             if (!hasType(earlier, declared.name(), declared.type())) {
-                step.state.globals.remove(declared.name());
+                step.state.globals.removeIf(declared.name()::equals);
             }
         }
         step.state.load(loaded);

@@ -36,15 +36,15 @@ public final class RobotRemoval {
 
     /** The operator drops a robot; a reason where that makes no sense. */
     public Optional<String> drop(Input.ProxyDropped input) {
-        MissionState root = rules.state.missions.get(input.mission());
+        MissionState root = rules.state().missions.get(input.mission());
         if (input.mission() != Ids.NONE && root == null) {
             return Optional.of("There is no running mission " + input.mission());
         }
         Token token = new Token.Proxy(input.proxy());
-        if (input.mission() == Ids.NONE && !rules.state.removeProxy(input.proxy()) && !standsSomewhere(token)) {
+        if (input.mission() == Ids.NONE && !rules.state().removeProxy(input.proxy()) && !standsSomewhere(token)) {
             return Optional.of("No robot '" + input.proxy() + "' is known");
         }
-        List<MissionState> concerned = rules.state.missions.values().stream()
+        List<MissionState> concerned = rules.state().missions.values().stream()
                 .filter(m -> !m.ended && (root == null || m.root == root.root))
                 .toList();
         // before any of them ends for want of the robot: its tasks are released as well
@@ -65,7 +65,7 @@ public final class RobotRemoval {
 
     /** An occurrence can have brought in a robot that never joined. */
     private boolean standsSomewhere(Token token) {
-        for (MissionState m : rules.state.missions.values()) {
+        for (MissionState m : rules.state().missions.values()) {
             for (PlaceState place : m.places) {
                 if (place != null && place.has(token)) {
                     return true;
@@ -134,7 +134,7 @@ public final class RobotRemoval {
         if (token instanceof Token.Proxy proxy) {
             withdrawn.computeIfAbsent(m, key -> new LinkedHashSet<>()).add(proxy.proxy());
         }
-        long before = rules.state.stamp;
+        long before = rules.state().stamp;
         rules.removal.remove(removed);
         withdrawCommands(m, token);
         for (PlacedToken e : removed) {
@@ -152,6 +152,11 @@ public final class RobotRemoval {
             rules.robotChoices.gone(withdrawn, "withdrawn");
             withdrawn.clear();
         }
+    }
+
+    /** Whether no choice has to be asked again. */
+    boolean isDone() {
+        return withdrawn.isEmpty();
     }
 
     private void withdrawCommands(MissionState m, Token token) {

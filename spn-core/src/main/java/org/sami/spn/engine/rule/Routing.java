@@ -40,10 +40,10 @@ public final class Routing {
         final List<String> offered;
 
         /** Whom the answer names and who is gone, for transitions that took it. */
-        final Set<Token> gone = new LinkedHashSet<>();
+        Set<Token> gone = Set.of();
 
         /** The same, for transitions that refused it as it names nobody else. */
-        final Set<Token> onlyGone = new LinkedHashSet<>();
+        Set<Token> onlyGone = Set.of();
 
         boolean received;
         boolean namesNobody;
@@ -189,7 +189,7 @@ public final class Routing {
         List<Token> gone = sent == null || input.isPress() ? List.of() : pendings.strikeGone(state, p, fate.offered);
         if (sent != null && p.names.length == 0 && !input.isPress() && asksForNames(t, o)) {
             fate.namesNobody |= !sent.visit.ended; // else there is no question that stays open: it is late
-            fate.onlyGone.addAll(gone);
+            fate.onlyGone = with(fate.onlyGone, gone);
             return;
         }
         if (sent != null && !answers(t, p, sent)) {
@@ -200,7 +200,16 @@ public final class Routing {
         }
         pendings.add(state, p);
         fate.received = true;
-        fate.gone.addAll(gone);
+        fate.gone = with(fate.gone, gone);
+    }
+
+    private static Set<Token> with(Set<Token> before, List<Token> more) {
+        if (more.isEmpty()) {
+            return before;
+        }
+        Set<Token> all = new LinkedHashSet<>(before);
+        all.addAll(more);
+        return all;
     }
 
     /** Whether an answer must name somebody for a transition. */
@@ -296,7 +305,8 @@ public final class Routing {
     private void discarded(Occurrence o, @Nullable SentActivation sent, Fate fate) {
         EventType type = step.project().vocabulary.event(o.type()).orElse(null);
         if (type != null && type.flags().contains(EventFlag.COALESCE)) {
-            step.state.discardedNews.merge(type.name(), 1L, Long::sum);
+            Long before = step.state.discardedNews.get(type.name());
+            step.state.discardedNews.put(type.name(), before == null ? 1 : before + 1);
             return;
         }
         long mission = o.mission() != Ids.NONE || sent == null ? o.mission() : sent.activation.mission();

@@ -10,9 +10,9 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.NoteKind;
 import org.sami.spn.value.TaskId;
 
-/** What all rules share during a step: the state that they change, its effects, and what the engine says to itself. */
+/** What all rules share during a step: the state that they change, which is another one in each step; its effects; and what the engine says to itself. */
 public final class RuleStep {
-    public final NetState state;
+    public NetState state;
 
     /** What the engine says to itself, taken one by one whenever the work list is empty. */
     private final ArrayDeque<Runnable> ownInputs = new ArrayDeque<>(2);
@@ -23,7 +23,8 @@ public final class RuleStep {
         this.state = state;
     }
 
-    void begin(Consumer<? super Effect> effects) {
+    void begin(NetState changed, Consumer<? super Effect> effects) {
+        state = changed;
         sink = effects;
     }
 
@@ -48,6 +49,11 @@ public final class RuleStep {
     @Nullable
     Runnable nextOwnInput() {
         return ownInputs.poll();
+    }
+
+    /** Whether the engine says nothing to itself any longer. */
+    boolean isDone() {
+        return ownInputs.isEmpty();
     }
 
     /** The project whose plans missions have that start now. */

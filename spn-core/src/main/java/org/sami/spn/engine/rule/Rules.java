@@ -9,12 +9,12 @@ import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.NoteKind;
 
 /**
- * The rules for one state, each in its own class, as the engine uses them.
+ * The rules, each in its own class, as the engine uses them. They work on the state of one step after the other, as searches make a state for nearly each
+ * step; between two steps they know nothing of it.
  *
  * <p>Implements R-LOOK-8.
  */
 public final class Rules {
-    public final NetState state;
     public final PendingOccurrences pendings;
     public final Routing routing;
     public final TokenPool pool;
@@ -33,8 +33,8 @@ public final class Rules {
     private final RuleStep step;
     private final FiringAgenda work;
 
+    /** Rules that work on a state until a step {@linkplain #begin begins} on another. */
     public Rules(NetState state) {
-        this.state = state;
         step = new RuleStep(state);
         work = new FiringAgenda(this::lookAt);
         MissionRules missions = new MissionRules(step, work, this::byAutonomy);
@@ -62,8 +62,14 @@ public final class Rules {
         decisions.byAutonomy(open);
     }
 
-    public void begin(Consumer<? super Effect> effects) {
-        step.begin(effects);
+    /** The state on which they work. */
+    public NetState state() {
+        return step.state;
+    }
+
+    /** A step on a state begins. */
+    public void begin(NetState state, Consumer<? super Effect> effects) {
+        step.begin(state, effects);
     }
 
     public void end() {
@@ -81,6 +87,11 @@ public final class Rules {
             next.run();
             work.run();
         }
+    }
+
+    /** Whether nothing is left for the next step on the state, so that these rules may work on any other. */
+    public boolean areDone() {
+        return work.isDone() && step.isDone() && robotRemoval.isDone();
     }
 
     /** The project whose plans missions have that start now. */

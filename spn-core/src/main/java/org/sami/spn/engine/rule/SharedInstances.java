@@ -88,7 +88,7 @@ final class SharedInstances {
     /** Tokens entered an end place that does not end the instance: they leave it as one completion. */
     void returned(MissionState child, Visit v) {
         List<Token> tokens = new ArrayList<>();
-        long before = rules.state.stamp;
+        long before = rules.state().stamp;
         List<PlacedToken> entries = v.standing();
         rules.removal.remove(entries);
         for (PlacedToken e : entries) {

@@ -266,7 +266,7 @@ public final class SubMissions {
             instance.status = Instance.Status.ABORTED;
             rules.missionEnd.stopSilently(instance.child, Outcome.ABORTED);
         }
-        for (OpenDecision d : rules.state.decisionsOf(instance.place.mission)) {
+        for (OpenDecision d : rules.state().decisionsOf(instance.place.mission)) {
             if (d.instance == instance) {
                 rules.questions.close(d);
             }

@@ -82,7 +82,7 @@ public final class Timers {
 
     /** A token left its visit: its own timers end. */
     public void tokenLeft(Visit v, Token token) {
-        for (SentActivation sent : v.sent) {
+        for (SentActivation sent = v.firstSent(); sent != null; sent = sent.next()) {
             if (!sent.timers.isEmpty() && !v.has(token)) {
                 sent.timers.removeIf(t -> t.token().equals(token) && step.state.timers.remove(t));
             }

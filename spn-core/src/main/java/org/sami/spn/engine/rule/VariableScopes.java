@@ -6,6 +6,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledProject;
 import org.sami.spn.engine.state.MissionState;
+import org.sami.spn.engine.state.NetState;
 import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.protocol.Effect;
@@ -34,7 +35,13 @@ public final class VariableScopes {
     }
 
     /** A variable as a mission reads it, null mission = globals; null where it has no value. */
-    public @Nullable Value read(@Nullable MissionState mission, String variable) {
+    @Nullable
+    Value read(@Nullable MissionState mission, String variable) {
+        return read(step.state, mission, variable);
+    }
+
+    /** The same in any state, between two steps too. */
+    public static @Nullable Value read(NetState state, @Nullable MissionState mission, String variable) {
         String name = variable;
         for (MissionState m = mission; m != null; m = m.parent) {
             String mapped = mapping(m).get(name);
@@ -47,7 +54,7 @@ public final class VariableScopes {
                 return value;
             }
         }
-        return projectOf(mission).globals.containsKey(name) ? step.state.globals.get(name) : null;
+        return projectOf(state, mission).globals.containsKey(name) ? state.globals.get(name) : null;
     }
 
     /** The declaration that a write of a mission would meet, or null. */
@@ -98,7 +105,7 @@ public final class VariableScopes {
         for (MissionState m = mission; m != null; m = m.parent) {
             m.plan.variables.forEach(declared::putIfAbsent);
         }
-        projectOf(mission).globals.forEach(declared::putIfAbsent);
+        projectOf(step.state, mission).globals.forEach(declared::putIfAbsent);
         return declared;
     }
 
@@ -125,13 +132,13 @@ public final class VariableScopes {
                 return new Place(m, name, declaration);
             }
         }
-        VariableSpec global = projectOf(mission).globals.get(name);
+        VariableSpec global = projectOf(step.state, mission).globals.get(name);
         return global != null || mission == null ? new Place(null, name, global) : new Place(own, ownName, null);
     }
 
     /** Whose globals a mission reads and writes: those of the project that it started with; with no mission, of the newest. */
-    private CompiledProject projectOf(@Nullable MissionState mission) {
-        return mission == null ? step.project() : mission.plan.project;
+    private static CompiledProject projectOf(NetState state, @Nullable MissionState mission) {
+        return mission == null ? state.newest() : mission.plan.project;
     }
 
     private static Map<String, String> mapping(MissionState m) {

@@ -26,7 +26,7 @@ final class Visits {
 
     /** Tokens, or nobody, enter a place. */
     Visit begin(PlaceState place, List<Token> tokens) {
-        NetState state = rules.state;
+        NetState state = rules.state();
         Visit v = new Visit(++state.lastVisit, place, List.copyOf(tokens));
         place.mission.addVisit(v);
         v.enter(state.stamp + 1);
@@ -57,7 +57,7 @@ final class Visits {
             }
         }
         rules.pendings.visitEnded(v);
-        if (!v.sent.isEmpty()) {
+        if (v.firstSent() != null) {
             if (place.place.answersOutliveVisits && !v.byNobody) {
                 remember(v);
             } else {
@@ -69,11 +69,11 @@ final class Visits {
     /** Ends what a visit has going on outside the marking: timers, questions, activations. */
     void close(Visit v) {
         v.ended = true;
-        for (SentActivation sent : v.sent) {
+        for (SentActivation sent = v.firstSent(); sent != null; sent = sent.next()) {
             sent.open = false;
             rules.timers.cancelAll(sent);
             if (sent.decision != Ids.NONE) {
-                rules.questions.close(rules.state.decision(sent.decision));
+                rules.questions.close(rules.state().decision(sent.decision));
             }
             rules.emit(new Effect.ActivationEnded(sent.activation.id()));
         }
@@ -102,8 +102,8 @@ final class Visits {
     }
 
     void forget(Visit v) {
-        for (SentActivation sent : v.sent) {
-            rules.state.sent.remove(sent.activation.id());
+        for (SentActivation sent = v.firstSent(); sent != null; sent = sent.next()) {
+            rules.state().sent.remove(sent.activation.id());
         }
     }
 }

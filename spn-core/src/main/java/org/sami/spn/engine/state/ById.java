@@ -14,7 +14,7 @@ public final class ById<T> {
     /** Times 2 to the 64, odd. */
     private static final long GOLDEN_RATIO = 0x9E3779B97F4A7C15L;
 
-    private long[] ids; // 0 = free; a power of two, at most two thirds of it in use
+    private long[] ids; // 0 = free; a power of two, at most three quarters of it in use
     private @Nullable Object[] things;
     private int size;
 
@@ -38,7 +38,7 @@ public final class ById<T> {
     }
 
     private static boolean isFull(int size, int length) {
-        return size * 3L > length * 2L;
+        return size * 4L > length * 3L;
     }
 
     /** What has that id; null if nothing has. */

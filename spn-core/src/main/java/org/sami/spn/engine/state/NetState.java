@@ -33,31 +33,39 @@ public final class NetState {
     public long firings;
     /** Order of the last entry of a token into a place; never used outside. */
     public long stamp;
+    /** Number of the present chain of firings without new input; not part of what is kept. */
+    public long chain;
 
-    public final Map<Long, MissionState> missions = new LinkedHashMap<>();
+    public final Map<Long, MissionState> missions;
     public final ById<SentActivation> sent;
     public final Map<Long, OpenDecision> decisions = new LinkedHashMap<>();
     public final TreeSet<RunningTimer> timers = new TreeSet<>();
-    public final Map<String, Value> globals = new LinkedHashMap<>();
+    public final SharedValues<Value> globals;
     /** What handlers remember for the session, whatever missions run. */
-    public final Map<String, Value> memory = new LinkedHashMap<>();
+    public final SharedValues<Value> memory;
     /** How many occurrences of coalesced types that nothing waited for were counted instead of noted. */
-    public final Map<String, Long> discardedNews = new LinkedHashMap<>();
+    public final SharedValues<Long> discardedNews;
 
     /** The known robots and their tokens, in the order in which they came; replaced, never changed, so that copies of the state share it. */
     private Map<String, Token.Proxy> robots = Map.of();
 
     private CompiledProject newest;
 
-    /** Missions whose plans have an input event of a type, by number of the type; in order of their start. */
-    private final List<Map<Long, MissionState>> attentive;
+    /**
+     * Missions whose plans have an input event of a type, by number of the type; in order of their start. Null until one is asked for: most answers
+     * go straight to the mission that asked.
+     */
+    private @Nullable List<Map<Long, MissionState>> attentive;
 
     public NetState(CompiledProject project) {
         this.first = project;
         this.newest = project;
+        missions = new LinkedHashMap<>();
         sent = new ById<>();
+        globals = new SharedValues<>();
+        memory = new SharedValues<>();
+        discardedNews = new SharedValues<>();
         project.project.globals().forEach(v -> v.initial().ifPresent(value -> globals.put(v.name(), value)));
-        attentive = new ArrayList<>(Collections.nCopies(project.typeCount(), Map.of()));
     }
 
     /** The same projects and robots as another state's, the same numbers and values, and no missions yet. */
@@ -73,11 +81,11 @@ public final class NetState {
         lastTimer = other.lastTimer;
         firings = other.firings;
         stamp = other.stamp;
+        missions = new LinkedHashMap<>(2 * other.missions.size());
         sent = new ById<>(other.sent.size() + 1); // the step that follows asks for something, mostly
-        globals.putAll(other.globals);
-        memory.putAll(other.memory);
-        discardedNews.putAll(other.discardedNews);
-        attentive = new ArrayList<>(Collections.nCopies(other.attentive.size(), Map.of()));
+        globals = other.globals.copy();
+        memory = other.memory.copy();
+        discardedNews = other.discardedNews.copy();
     }
 
     /** The ids of the known robots, in the order in which they came. */
@@ -116,7 +124,7 @@ public final class NetState {
     /** Missions that start from now on have the plans of this project; globals that nothing declares any longer are gone. */
     public void load(CompiledProject loaded) {
         newest = loaded;
-        attentive.addAll(Collections.nCopies(loaded.typeCount() - attentive.size(), Map.of()));
+        attentive = null;
         forgetGlobals();
     }
 
@@ -130,18 +138,14 @@ public final class NetState {
     /** A global lives as long as the newest project or that of a running mission declares it. */
     private void forgetGlobals() {
         Set<CompiledProject> running = running();
-        globals.keySet()
-                .removeIf(name -> !newest.globals.containsKey(name)
-                        && running.stream().noneMatch(p -> p.globals.containsKey(name)));
+        globals.removeIf(name ->
+                !newest.globals.containsKey(name) && running.stream().noneMatch(p -> p.globals.containsKey(name)));
     }
 
     public void add(MissionState mission) {
         missions.put(mission.id, mission);
-        for (int type : mission.plan.inputTypes) {
-            if (attentive.get(type).isEmpty()) {
-                attentive.set(type, new LinkedHashMap<>(4));
-            }
-            attentive.get(type).put(mission.id, mission);
+        if (attentive != null) {
+            listen(mission, attentive);
         }
         if (mission.parent != null) {
             mission.parent.addChild(mission);
@@ -150,8 +154,10 @@ public final class NetState {
 
     public void remove(MissionState mission) {
         missions.remove(mission.id);
-        for (int type : mission.plan.inputTypes) {
-            attentive.get(type).remove(mission.id);
+        if (attentive != null) {
+            for (int type : mission.plan.inputTypes) {
+                attentive.get(type).remove(mission.id);
+            }
         }
         if (mission.parent != null) {
             mission.parent.children.remove(mission.id);
@@ -163,7 +169,25 @@ public final class NetState {
 
     /** Missions with a transition for that type. */
     public Map<Long, MissionState> attentive(int typeId) {
-        return typeId < 0 ? Map.of() : attentive.get(typeId);
+        if (typeId < 0) {
+            return Map.of();
+        }
+        if (attentive == null) {
+            attentive = new ArrayList<>(Collections.nCopies(newest.typeCount(), Map.of()));
+            for (MissionState mission : missions.values()) {
+                listen(mission, attentive);
+            }
+        }
+        return attentive.get(typeId);
+    }
+
+    private static void listen(MissionState mission, List<Map<Long, MissionState>> attentive) {
+        for (int type : mission.plan.inputTypes) {
+            if (attentive.get(type).isEmpty()) {
+                attentive.set(type, new LinkedHashMap<>(4));
+            }
+            attentive.get(type).put(mission.id, mission);
+        }
     }
 
     /** The open decisions of a mission, in the order in which they were asked; what is closed meanwhile stays in the list. */

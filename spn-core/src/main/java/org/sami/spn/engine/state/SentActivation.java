@@ -2,6 +2,7 @@ package org.sami.spn.engine.state;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledOutput;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Ids;
@@ -20,6 +21,7 @@ public final class SentActivation {
     public long decision = Ids.NONE;
 
     public List<RunningTimer> timers = List.of();
+    private @Nullable SentActivation next;
 
     public SentActivation(Activation activation, Visit visit, CompiledOutput output) {
         this.activation = activation;
@@ -47,6 +49,15 @@ public final class SentActivation {
     /** The same activation in the copy of a state, without decision and timers. */
     SentActivation copy(Visit visit) {
         return new SentActivation(this, visit);
+    }
+
+    /** The one that was sent next for the visit; null where none was. */
+    public @Nullable SentActivation next() {
+        return next;
+    }
+
+    void isFollowedBy(SentActivation later) {
+        next = later;
     }
 
     public MissionState mission() {

@@ -18,11 +18,11 @@ public final class StateCopy {
     private final NetState from;
     private final NetState to;
     /** The copies of visits that were asked for, with those of their missions; and of visits that have ended. */
-    private final Map<Visit, Visit> copies = new HashMap<>(0);
+    private Map<Visit, Visit> copies = Map.of();
     /** Missions whose visits are all among them. Most copies ask for none. */
-    private final Set<MissionState> indexed = new HashSet<>(0);
+    private Set<MissionState> indexed = Set.of();
     /** Returns that pending occurrences tell; a visit's instance has its return in no list. Looked up only, never gone through. */
-    private final Map<Return, Return> returns = new HashMap<>(0);
+    private Map<Return, Return> returns = Map.of();
 
     /** The copy of the mission that was asked for last: mostly the next one is of it too. */
     private @Nullable MissionState copiedMission;
@@ -38,9 +38,15 @@ public final class StateCopy {
     }
 
     private NetState copy() {
-        from.missions.values().forEach(this::copy); // a parent stands before its children
-        from.decisions.values().forEach(this::copy);
-        from.timers.forEach(this::add);
+        for (MissionState m : from.missions.values()) { // a parent stands before its children
+            copy(m);
+        }
+        for (OpenDecision d : from.decisions.values()) {
+            copy(d);
+        }
+        for (RunningTimer timer : from.timers) {
+            add(timer);
+        }
         return to;
     }
 
@@ -67,7 +73,7 @@ public final class StateCopy {
         old.waiting.forEach(m::addWaiting);
         copyShared(old, m);
         for (Visit v = old.firstVisit(); v != null; v = v.next) {
-            copy(v);
+            copy(v, m.place(v.place.place.index));
         }
         copyEndedVisits(old, m);
         copyPending(old, m);
@@ -92,7 +98,7 @@ public final class StateCopy {
                 copy.shared[i] = new SharedRun(copy(run.instance, null, copy));
                 for (Return r : run.returns) {
                     Return told = new Return(copy.shared[i].instance, r.tokens, r.value);
-                    returns.put(r, told);
+                    keep(r, told);
                     copy.shared[i].returns.add(told);
                 }
             }
@@ -101,19 +107,30 @@ public final class StateCopy {
 
     /** The copy of a visit; of one that has ended it is made when first asked for. */
     private Visit visit(Visit wanted) {
-        if (indexed.add(wanted.place.mission)) {
+        if (!indexed.contains(wanted.place.mission)) {
+            indexed = indexed.isEmpty() ? new HashSet<>() : indexed;
+            indexed.add(wanted.place.mission);
             Visit copy = place(wanted.place).mission.firstVisit();
             for (Visit v = wanted.place.mission.firstVisit(); v != null && copy != null; v = v.next) {
-                copies.put(v, copy);
+                keep(v, copy);
                 copy = copy.next;
             }
         }
         Visit copy = copies.get(wanted);
-        return copy != null ? copy : copy(wanted);
+        return copy != null ? copy : copy(wanted, place(wanted.place));
     }
 
-    private Visit copy(Visit old) {
-        PlaceState place = place(old.place);
+    private void keep(Visit old, Visit copy) {
+        copies = copies.isEmpty() ? new HashMap<>() : copies;
+        copies.put(old, copy);
+    }
+
+    private void keep(Return old, Return copy) {
+        returns = returns.isEmpty() ? new HashMap<>() : returns;
+        returns.put(old, copy);
+    }
+
+    private Visit copy(Visit old, PlaceState place) {
         MissionState m = place.mission;
         Visit v = new Visit(old.id, place, old.entered);
         v.ended = old.ended;
@@ -121,7 +138,7 @@ public final class StateCopy {
         v.used = old.used;
         v.remembered = old.remembered;
         if (old.ended) {
-            copies.put(old, v);
+            keep(old, v);
         }
         if (!old.ended && old.hasInstances()) {
             v.instances = new ArrayList<>(old.instances.size());
@@ -130,7 +147,7 @@ public final class StateCopy {
                 v.instances.add(copy(instance, v, place));
             }
         }
-        for (SentActivation s : old.sent) {
+        for (SentActivation s = old.firstSent(); s != null; s = s.next()) {
             SentActivation sent = s.copy(v);
             sent.open = !old.ended;
             v.addSent(sent);
@@ -197,7 +214,7 @@ public final class StateCopy {
         Return made = returns.get(old);
         if (made == null) {
             made = new Return(instance(old.instance), old.tokens, old.value);
-            returns.put(old, made);
+            keep(old, made);
         }
         return made;
     }
@@ -216,7 +233,14 @@ public final class StateCopy {
     }
 
     private @Nullable SentActivation sent(@Nullable SentActivation old) {
-        return old == null ? null : visit(old.visit).sent.get(old.visit.sent.indexOf(old));
+        if (old == null) {
+            return null;
+        }
+        SentActivation copy = visit(old.visit).firstSent();
+        for (SentActivation s = old.visit.firstSent(); s != old && s != null && copy != null; s = s.next()) {
+            copy = copy.next();
+        }
+        return Objects.requireNonNull(copy, "an activation that was copied");
     }
 
     private void copy(OpenDecision old) {

@@ -31,8 +31,9 @@ public final class Visit {
     Visit nextHere;
 
     public boolean ended;
-    /** In the order in which they were sent. */
-    public List<SentActivation> sent = List.of();
+    /** The first activation that was sent for it, which knows the next: most visits have one, and copies of states have no list for each. */
+    private @Nullable SentActivation firstSent;
+
     /** Dynamic instances, none for most places. */
     public List<Instance> instances = List.of();
     /** Whether an instance runs or was aborted: its tokens are outside every pool. */
@@ -204,14 +205,29 @@ public final class Visit {
 
     /** An activation was sent for it. */
     public void addSent(SentActivation activation) {
-        if (sent.isEmpty()) {
-            sent = List.of(activation); // mostly the only one: a list that may grow takes twice the room
+        if (firstSent == null) {
+            firstSent = activation;
             return;
         }
-        if (sent.size() == 1) {
-            sent = new ArrayList<>(sent);
+        SentActivation last = firstSent;
+        for (SentActivation s = last.next(); s != null; s = s.next()) {
+            last = s;
         }
-        sent.add(activation);
+        last.isFollowedBy(activation);
+    }
+
+    /** The first activation that was sent for it; null where none was. */
+    public @Nullable SentActivation firstSent() {
+        return firstSent;
+    }
+
+    /** How many activations were sent for it. */
+    public int countSent() {
+        int n = 0;
+        for (SentActivation s = firstSent; s != null; s = s.next()) {
+            n++;
+        }
+        return n;
     }
 
     public boolean hasInstances() {
