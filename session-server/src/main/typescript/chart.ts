@@ -69,7 +69,7 @@ export class Chart {
     if (answer?.status !== 200) {
       return;
     }
-    const about = await answer.json();
+    const about: {coarsest: number, finest: number, attribution?: string} = await answer.json();
     L.tileLayer('tiles/{z}/{x}/{y}', {minNativeZoom: about.coarsest, maxNativeZoom: about.finest, maxZoom: 22}).addTo(this.map);
     if (about.attribution) {
       const words = document.createElement('span');

@@ -61,7 +61,8 @@ public final class TypeScriptCompiler {
                     Map<String, String> files = new TreeMap<>();
                     for (ZipEntry entry : Collections.list(zip.entries())) {
                         String name = entry.getName().substring(entry.getName().lastIndexOf('/') + 1);
-                        if (entry.getName().startsWith(COMPILER) && (name.equals("typescript.js") || name.matches("lib\\..*d\\.ts"))) {
+                        if (entry.getName().startsWith(COMPILER)
+                                && (name.equals("typescript.js") || name.matches("lib\\..*d\\.ts"))) {
                             try (InputStream in = zip.getInputStream(entry)) {
                                 files.put(name, new String(in.readAllBytes(), StandardCharsets.UTF_8));
                             }
@@ -102,8 +103,10 @@ public final class TypeScriptCompiler {
         return faults;
     }
 
-    private void run(Map<String, String> sources, Consumer<String> faults, Map<String, String> modules) throws IOException {
-        Object[] names = sources.keySet().stream().filter(name -> name.endsWith(".ts")).toArray();
+    private void run(Map<String, String> sources, Consumer<String> faults, Map<String, String> modules)
+            throws IOException {
+        Object[] names =
+                sources.keySet().stream().filter(name -> name.endsWith(".ts")).toArray();
         ProxyExecutable fault = args -> {
             faults.accept(args[0].asString());
             return null;
@@ -114,7 +117,8 @@ public final class TypeScriptCompiler {
                         .build();
                 InputStream in = TypeScriptCompiler.class.getResourceAsStream("compile.js")) {
             engine.eval(Source.newBuilder("js", script, "typescript.js").build());
-            Source driver = Source.newBuilder("js", new String(in.readAllBytes(), StandardCharsets.UTF_8), "compile.js").build();
+            Source driver = Source.newBuilder("js", new String(in.readAllBytes(), StandardCharsets.UTF_8), "compile.js")
+                    .build();
             engine.eval(driver).execute(ProxyArray.fromArray(names), texts(sources), texts(libraries), fault, write);
         }
     }
