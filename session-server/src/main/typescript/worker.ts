@@ -1,11 +1,27 @@
 // Keeps the page's own files, so that it opens and says "last seen" where the base cannot be reached.
 const FILES = ['./', 'page.js', 'page.css', 'dom.js', 'bases.js', 'link.js', 'chart.js', 'decisions.js', 'drawing.js', 'driving.js', 'field.js', 'fields.js', 'handles.js', 'panels.js', 'phases.js', 'pictures.js', 'readings.js', 'icon.svg', 'manifest.webmanifest', 'leaflet/leaflet-src.esm.js', 'leaflet/leaflet.css'];
+/** What a service worker is told; types of workers and of pages exclude one another, and the page has many. */
+interface WorkerEvent extends Event {
+  waitUntil(done: Promise<unknown>): void;
+}
+
+interface FetchOfPage extends WorkerEvent {
+  request: Request;
+  respondWith(answer: Promise<Response>): void;
+}
+
+interface WorkerScope {
+  addEventListener(name: 'install' | 'activate', heard: (event: WorkerEvent) => void): void;
+  addEventListener(name: 'fetch', heard: (event: FetchOfPage) => void): void;
+}
+
+const worker = self as unknown as WorkerScope;
 const CACHE = 'sami-session-4';
 
-self.addEventListener('install', (event) => event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES))));
-self.addEventListener('activate', (event) =>
+worker.addEventListener('install', (event) => event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES))));
+worker.addEventListener('activate', (event) =>
   event.waitUntil(caches.keys().then((names) => Promise.all(names.filter((name) => name !== CACHE).map((name) => caches.delete(name))))));
-self.addEventListener('fetch', (event) => {
+worker.addEventListener('fetch', (event) => {
   if (event.request.method !== 'GET' || event.request.headers.has('Authorization')) { // pictures are kept nowhere
     return;
   }

@@ -1,15 +1,30 @@
-// @ts-check
 // The lists of the session: decisions, boats, missions with their interrupts, messages and alarms.
 import {Chart} from './chart.js';
 import {duration, element, hold} from './dom.js';
 import {phases} from './phases.js';
 import {readingsOf} from './readings.js';
+import type {Link} from './link.js';
+import type {BoatRow, ButtonRow, CallingDecision, Command, DecisionRow, MessageRow, MissionRow} from './protocol.js';
 
-/** @typedef {import('./link.js').Link} Link */
-/** @typedef {{open: (decision: any) => void, command: (command: any) => void, select: (boat: string) => void, selected: () => string | null, calls: (decision: any) => boolean, byHand: (boat: any) => HTMLElement | null, pictures: (boat: string) => HTMLElement | null, lastPictures: (boats: string[], at: number) => HTMLElement | null, noteAt: (text: string) => void, refresh: () => void}} Actions */
+/** What a list asks of the page. */
+export interface Actions {
+  open(decision: DecisionRow): void;
+  command(command: Command): void;
+  select(boat: string): void;
+  selected(): string | null;
+  /** Whether a decision draws attention: nobody here has opened it. */
+  calls(decision: DecisionRow): decision is CallingDecision;
+  byHand(boat: BoatRow): HTMLElement | null;
+  /** The newest pictures of a boat. */
+  pictures(boat: string): HTMLElement | null;
+  /** The pictures that boats had taken last at a time. */
+  lastPictures(boats: string[], at: number): HTMLElement | null;
+  /** A note at a place that is touched. */
+  noteAt(text: string): void;
+  refresh(): void;
+}
 
-/** @param {Link} link @param {Actions} actions */
-export function decisions(link, actions) {
+export function decisions(link: Link, actions: Actions) {
   const rows = link.all('decisions').map((one) =>
     element('button', {class: 'row ' + one.priority + (actions.calls(one) ? ' ' + one.attention.type : ''), onclick: () => actions.open(one)},
       element('strong', {}, one.title),
@@ -17,19 +32,19 @@ export function decisions(link, actions) {
   return rows.length > 0 ? rows : [element('p', {class: 'hint'}, 'Nothing is to be decided.')];
 }
 
-/** @param {Link} link @param {Actions} actions */
-export function boats(link, actions) {
+export function boats(link: Link, actions: Actions) {
   return link.all('boats').flatMap((boat) => {
     const mark = element('i', {class: 'mark'});
     mark.style.background = Chart.color(link, boat.id);
+    const status = link.row('standings', boat.id)?.status;
     const figures = [
       boat.battery === undefined ? null : Math.round(boat.battery) + ' %',
       boat.speed === undefined ? null : Math.abs(boat.speed).toFixed(1) + ' m/s',
       boat.heard === undefined ? null : 'heard ' + duration(link.now() - boat.heard) + ' ago',
       boat.driver ? 'driven by ' + boat.driver : null,
-      link.row('standings', boat.id)?.status ?? null,
+      status ?? null,
     ].filter(Boolean).join(' · ');
-    const standing = {severe: ' critical', warning: ' high'}[/** @type {string} */ (link.row('standings', boat.id)?.status)] ?? '';
+    const standing = status ? {severe: ' critical', warning: ' high'}[status] : '';
     const node = element('button', {class: 'row' + (boat.alarm ? ' ' + boat.alarm : standing) + (boat.id === actions.selected() ? ' selected' : ''), onclick: () => actions.select(boat.id)},
       element('strong', {}, mark, boat.id), element('span', {class: boat.batteryLevel ?? ''}, figures), element('small', {}, boat.why ?? ''));
     const byHand = boat.id === actions.selected() ? actions.byHand(boat) : null;
@@ -39,13 +54,12 @@ export function boats(link, actions) {
   });
 }
 
-/** The plan that is chosen to be started. @type {string | null} */
-let plan = null;
+/** The plan that is chosen to be started. */
+let plan: string | null = null;
 
-/** @param {Link} link @param {Actions} actions */
-export function missions(link, actions) {
+export function missions(link: Link, actions: Actions) {
   const running = link.all('missions').filter((one) => one.state === 'running' && one.parent === undefined);
-  const nodes = /** @type {HTMLElement[]} */ ([]);
+  const nodes: HTMLElement[] = [];
   for (const mission of running) {
     const buttons = link.all('buttons').filter((one) => one.mission === mission.id);
     nodes.push(element('section', {class: 'mission'},
@@ -56,23 +70,22 @@ export function missions(link, actions) {
       link.may('start') ? abort(actions, mission) : null));
   }
   if (link.may('start')) {
-    const plans = (link.welcome.plans ?? []).map((/** @type {any} */ one) => element('option', {value: one.id}, one.title));
-    const list = /** @type {HTMLSelectElement} */ (element('select', {id: 'plans', 'aria-label': 'Plan', onchange: () => (plan = list.value)}, ...plans));
+    const plans = (link.welcome?.plans ?? []).map((one) => element('option', {value: one.id}, one.title));
+    const list = element('select', {id: 'plans', 'aria-label': 'Plan', onchange: () => (plan = list.value)}, ...plans);
     list.value = plan ?? list.value;
     nodes.push(element('div', {class: 'start'}, list, element('button', {class: 'main', onclick: () => actions.command({t: 'start', plan: list.value})}, 'Start mission')));
   }
   return nodes.length > 0 ? nodes : [element('p', {class: 'hint'}, 'No mission runs.')];
 }
 
-/** A button that is held. @param {Actions} actions @param {any} mission */
-function abort(actions, mission) {
+/** A button that is held. */
+function abort(actions: Actions, mission: MissionRow) {
   const button = element('button', {class: 'danger'}, 'Hold to abort');
   hold(button, () => actions.command({t: 'abort', mission: mission.id}));
   return button;
 }
 
-/** @param {Link} link @param {Actions} actions @param {any} one */
-function interrupt(link, actions, one) {
+function interrupt(link: Link, actions: Actions, one: ButtonRow) {
   const why = one.whyNot ?? (link.may('press') ? null : 'not yours to press');
   const selected = actions.selected();
   const press = () => actions.command({t: 'press', mission: one.mission, name: one.name, ...(one.boats && selected ? {boats: [selected]} : {})});
@@ -81,24 +94,23 @@ function interrupt(link, actions, one) {
     element('small', {}, [why ?? one.description, one.final].filter(Boolean).join('. ')));
 }
 
-/** What a message's keyword begins with: the session's own name each address behind it. @param {any} one */
-function group(one) {
+/** What a message's keyword begins with: the session's own name each address behind it. */
+function group(one: MessageRow) {
   return one.keyword?.split('/')[0];
 }
 
-/** The keyword whose messages are shown; null for all. @type {string | null} */
-let keyword = null;
-/** Always the same, so that a half-typed note stays. @type {HTMLElement | null} */
-let bar = null;
+/** The keyword whose messages are shown; null for all. */
+let keyword: string | null = null;
+/** Always the same, so that a half-typed note stays. */
+let bar: HTMLElement | null = null;
 
-/** @param {Link} link @param {Actions} actions */
-export function messages(link, actions) {
+export function messages(link: Link, actions: Actions) {
   const all = link.all('messages');
-  const keywords = [...new Set(all.map(group).filter(Boolean))].sort();
+  const keywords = [...new Set(all.map(group).filter((word) => word !== undefined))].sort();
   if (keyword !== null && !keywords.includes(keyword)) {
     keyword = null;
   }
-  const chip = (/** @type {string | null} */ word) => element('button', {'aria-pressed': String(word === keyword), onclick: () => {
+  const chip = (word: string | null) => element('button', {'aria-pressed': String(word === keyword), onclick: () => {
     keyword = word;
     actions.refresh();
   }}, word ?? 'All');
@@ -112,9 +124,8 @@ export function messages(link, actions) {
   return [...chips, ...(rows.length > 0 ? rows : [element('p', {class: 'hint'}, 'No messages.')]), ...(link.may('answer') ? [bar ??= noteBar(actions)] : [])];
 }
 
-/** @param {Actions} actions */
-function noteBar(actions) {
-  const note = /** @type {HTMLInputElement} */ (element('input', {id: 'note', maxlength: 500, placeholder: 'Note for the log', 'aria-label': 'Note for the log'}));
+function noteBar(actions: Actions) {
+  const note = element('input', {id: 'note', maxlength: 500, placeholder: 'Note for the log', 'aria-label': 'Note for the log'});
   const taken = () => {
     const text = note.value.trim();
     note.value = '';
@@ -135,8 +146,7 @@ function noteBar(actions) {
   return element('div', {class: 'note'}, note, element('button', {onclick: send}, 'Note'), element('button', {onclick: place}, 'At a place…'));
 }
 
-/** @param {Link} link @param {Actions} actions */
-export function alarms(link, actions) {
+export function alarms(link: Link, actions: Actions) {
   const rows = [
     ...link.all('faults').map((one) => element('div', {class: 'row ' + one.severity}, element('strong', {}, one.text), element('small', {}, one.advice))),
     ...link.all('alarms').map((one) =>

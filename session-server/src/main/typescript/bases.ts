@@ -1,4 +1,3 @@
-// @ts-check
 // The bases at which the session may be: one holds it, the others are its standbys.
 
 const FIRST_WAIT_MS = 1000;
@@ -7,18 +6,27 @@ const FIRST_WAIT_OF_SEVERAL_MS = 500; // a round costs little, and one of them t
 const LONGEST_WAIT_OF_SEVERAL_MS = 1000;
 const KEPT = 'bases';
 
+/** Where texts are kept: storage of the browser. */
+export interface Kept {
+  getItem(name: string): string | null;
+  setItem(name: string, text: string): void;
+}
+
 export class Bases {
-  /**
-   * The base that served this page, and those that it named before.
-   *
-   * @param {{protocol: string, host: string}} place
-   * @param {{getItem: (name: string) => string | null, setItem: (name: string, text: string) => void}} kept
-   */
-  constructor(place, kept) {
+  kept: Kept;
+  own: string;
+  all: string[];
+  at: number;
+  held: string;
+  epoch: number;
+  rounds: number;
+  tried: number;
+
+  /** The base that served this page, and those that it named before. */
+  constructor(place: {protocol: string, host: string}, kept: Kept) {
     this.kept = kept;
     const own = (place.protocol === 'https:' ? 'wss://' : 'ws://') + place.host;
     this.own = own; // from which the page has come
-    /** @type {string[]} */
     this.all = [own];
     this.at = 0;
     this.held = own; // by this one, as far as is known here
@@ -28,15 +36,15 @@ export class Bases {
     this.take(JSON.parse(kept.getItem(KEPT) ?? '[]'));
   }
 
-  /** The base that served this page and the one at hand stay; others are those that are named now. @param {string[]} addresses */
-  take(addresses) {
+  /** The base that served this page and the one at hand stay; others are those that are named now. */
+  take(addresses: string[]) {
     const current = this.current();
     this.all = [...new Set([this.all[0], current, ...addresses])];
     this.at = this.all.indexOf(current);
   }
 
-  /** Takes up the rows of bases, where there are any, and keeps them for a page that is opened without a base. @param {{id: string}[]} rows */
-  add(rows) {
+  /** Takes up the rows of bases, where there are any, and keeps them for a page that is opened without a base. */
+  add(rows: {id: string}[]) {
     if (rows.length > 0) {
       this.take(rows.map((row) => row.id));
       this.kept.setItem(KEPT, JSON.stringify(this.all));
@@ -57,8 +65,8 @@ export class Bases {
     return this.all.map((one) => one.replace(/^wss?:[/][/]/, ''));
   }
 
-  /** Tries a base next that is known. @param {string} address */
-  turnTo(address) {
+  /** Tries a base next that is known. */
+  turnTo(address: string) {
     this.at = Math.max(0, this.all.indexOf(address));
   }
 
@@ -66,8 +74,8 @@ export class Bases {
     return this.all.length > 1;
   }
 
-  /** A connection that stood is lost. Gives how many milliseconds to wait. @param {boolean} isSilent so that the next base is tried first; else the same one */
-  lost(isSilent) {
+  /** A connection that stood is lost. Gives how many milliseconds to wait. @param isSilent so that the next base is tried first; else the same one */
+  lost(isSilent: boolean) {
     this.begin();
     this.at = isSilent ? (this.at + 1) % this.all.length : this.at;
     return this.areSeveral() ? 0 : FIRST_WAIT_MS;
@@ -92,8 +100,8 @@ export class Bases {
     return wait;
   }
 
-  /** The base at hand says that it holds the session; false where another has followed it, whatever it says. @param {number} epoch */
-  holds(epoch) {
+  /** The base at hand says that it holds the session; false where another has followed it, whatever it says. */
+  holds(epoch: number) {
     if (epoch < this.epoch) {
       return false;
     }

@@ -1,27 +1,33 @@
-// @ts-check
 // The fields of a question: each is typed, chosen or drawn on the map.
 import {shapeOf} from './drawing.js';
 import {element} from './dom.js';
-
-/** @typedef {import('./link.js').Link} Link @typedef {import('./drawing.js').Drawing} Drawing @typedef {import('./chart.js').Chart} Chart */
+import type {Chart} from './chart.js';
+import type {Drawing} from './drawing.js';
+import type {Link} from './link.js';
+import type {AreaValue, FieldOfDecision, LatLon, PointValue, Value} from './protocol.js';
 
 const DRAWN = ['point', 'path', 'area', 'list<point>'];
 
 export class Fields {
-  /** @param {any[]} fields @param {Link} link @param {Chart} chart @param {Drawing} drawing @param {() => void} changed */
-  constructor(fields, link, chart, drawing, changed) {
+  fields: FieldOfDecision[];
+  link: Link;
+  chart: Chart;
+  drawing: Drawing;
+  changed: () => void;
+  points: Map<string, LatLon[]>;
+  node: HTMLElement;
+
+  constructor(fields: FieldOfDecision[], link: Link, chart: Chart, drawing: Drawing, changed: () => void) {
     this.fields = fields;
     this.link = link;
     this.chart = chart;
     this.drawing = drawing;
     this.changed = changed;
-    /** @type {Map<string, any[]>} */
     this.points = new Map();
     this.node = element('div', {class: 'fields', oninput: changed}, ...fields.map((field) => this.field(field)));
   }
 
-  /** @param {any} field */
-  field(field) {
+  field(field: FieldOfDecision) {
     const title = field.key + (field.unit ? ' (' + field.unit + ')' : '');
     const parts = [element('span', {class: 'key'}, title), element('small', {}, field.help ?? '')];
     if (!field.editable) {
@@ -31,17 +37,15 @@ export class Fields {
     return element('label', {class: 'field'}, ...parts, this.input(field));
   }
 
-  /** @param {any} value */
-  static text(value) {
+  static text(value: Value | undefined) {
     return value === undefined ? '' : typeof value === 'object' ? JSON.stringify(value) : String(value);
   }
 
-  /** @param {any} field */
-  input(field) {
+  input(field: FieldOfDecision) {
     const now = field.value;
     const key = {'data-key': field.key};
     if (field.choices) {
-      return element('select', key, ...field.choices.map((/** @type {string} */ one) => element('option', {value: one, selected: one === now}, one)));
+      return element('select', key, ...field.choices.map((one) => element('option', {value: one, selected: one === now}, one)));
     }
     if (DRAWN.includes(field.type)) {
       return this.draw(field);
@@ -51,7 +55,7 @@ export class Fields {
         return element('input', {...key, type: 'checkbox', checked: now === true});
       case 'integer':
       case 'real':
-        return element('input', {...key, type: 'number', step: field.type === 'integer' ? 1 : 'any', value: now, inputmode: 'decimal'});
+        return element('input', {...key, type: 'number', step: field.type === 'integer' ? 1 : 'any', value: Fields.text(now), inputmode: 'decimal'});
       case 'proxy':
         return element('select', key, ...this.link.all('boats').map((boat) => element('option', {value: boat.id, selected: boat.id === now}, boat.id)));
       default:
@@ -59,10 +63,10 @@ export class Fields {
     }
   }
 
-  /** What is there already is changed point by point; nothing of it is lost until the answer is given. @param {any} field */
-  draw(field) {
+  /** What is there already is changed point by point; nothing of it is lost until the answer is given. */
+  draw(field: FieldOfDecision) {
     const count = element('output', {}, field.value === undefined ? 'nothing yet' : 'as shown');
-    const begin = (/** @type {any[]} */ points) => {
+    const begin = (points: LatLon[]) => {
       this.points.set(field.key, points);
       this.drawing.begin({type: field.type, points, changed: () => {
         count.textContent = points.length === 1 ? '1 point' : points.length + ' points';
@@ -75,16 +79,15 @@ export class Fields {
     return element('span', {class: 'draw'}, edit, anew, count);
   }
 
-  /** @param {any[]} points */
-  static drawing(points) {
+  static drawing(points: LatLon[]) {
     return points.length === 0 ? 'Draw on the map' : 'Move points';
   }
 
-  /** The points of what a question proposes. @param {any} field @returns {any[]} */
-  static pointsOf(field) {
+  /** The points of what a question proposes. */
+  static pointsOf(field: FieldOfDecision): LatLon[] {
     const value = field.value;
-    const points = value === undefined ? [] : field.type === 'point' ? [value] : field.type === 'area' ? value.outline : value;
-    return points.map((/** @type {any} */ one) => [one.lat, one.lon]);
+    const points = value === undefined ? [] : field.type === 'point' ? [value] : field.type === 'area' ? (value as AreaValue).outline : value;
+    return (points as PointValue[]).map((one) => [one.lat, one.lon]);
   }
 
   /** Shows again what was drawn. */
@@ -96,7 +99,7 @@ export class Fields {
 
   /** The values by key. @throws {Error} with a sentence, where one is missing or cannot be read */
   values() {
-    const values = /** @type {Record<string, any>} */ ({});
+    const values: Record<string, Value> = {};
     for (const field of this.fields.filter((one) => one.editable)) {
       const value = this.value(field);
       if (value !== undefined) {
@@ -108,14 +111,13 @@ export class Fields {
     return values;
   }
 
-  /** @param {any} field */
-  value(field) {
+  value(field: FieldOfDecision): Value | undefined {
     if (DRAWN.includes(field.type)) {
       const points = this.points.get(field.key) ?? [];
       return points.length === 0 ? field.value : Fields.drawnValue(field, points.map(([lat, lon]) => ({lat, lon})));
     }
-    const input = /** @type {any} */ (this.node.querySelector('[data-key="' + CSS.escape(field.key) + '"]'));
-    if (input.type === 'checkbox') {
+    const input = this.node.querySelector('[data-key="' + CSS.escape(field.key) + '"]') as HTMLInputElement | HTMLSelectElement;
+    if (input instanceof HTMLInputElement && input.type === 'checkbox') {
       return input.checked;
     }
     if (input.value === '') {
@@ -127,8 +129,7 @@ export class Fields {
     return typeof field.value === 'object' || field.type.startsWith('list<') ? Fields.parsed(field, input.value) : input.value;
   }
 
-  /** @param {any} field @param {string} text */
-  static parsed(field, text) {
+  static parsed(field: FieldOfDecision, text: string): Value {
     try {
       return JSON.parse(text);
     } catch {
@@ -136,12 +137,11 @@ export class Fields {
     }
   }
 
-  /** @param {any} field @param {any[]} points */
-  static drawnValue(field, points) {
+  static drawnValue(field: FieldOfDecision, points: PointValue[]): Value {
     const least = field.type === 'area' ? 3 : field.type === 'path' ? 2 : 1;
     if (points.length < least) {
       throw new Error(field.key + ' needs ' + least + (least === 1 ? ' point' : ' points') + ' on the map.');
     }
-    return field.type === 'point' ? points[0] : field.type === 'area' ? {outline: points, holes: field.value?.holes ?? []} : points;
+    return field.type === 'point' ? points[0] : field.type === 'area' ? {outline: points, holes: (field.value as AreaValue | undefined)?.holes ?? []} : points;
   }
 }

@@ -1,4 +1,3 @@
-// @ts-check
 // The page: who joins, the strip with the fleet stop, the map, and the lists in tabs.
 import {Chart} from './chart.js';
 import {DecisionForm} from './decisions.js';
@@ -9,25 +8,20 @@ import {Link} from './link.js';
 import * as panels from './panels.js';
 import {Pictures} from './pictures.js';
 import {Readings} from './readings.js';
+import type {BoatRow, CallingDecision, Command, DecisionRow, LatLon} from './protocol.js';
 
 const THEMES = ['light', 'dark', 'sun'];
-const TABS = /** @type {const} */ (['decisions', 'boats', 'missions', 'messages', 'alarms']);
+const TABS = ['decisions', 'boats', 'missions', 'messages', 'alarms'] as const;
 const WORDS = {decisions: 'Decisions', boats: 'Boats', missions: 'Missions', messages: 'Messages', alarms: 'Alarms'};
 
-/** @type {typeof TABS[number]} */
-let tab = 'decisions';
-/** @type {string | null} */
-let selected = null;
-/** @type {DecisionForm | null} */
-let form = null;
-/** Forms of decisions that were opened, so that what is half filled in stays. @type {Map<string, DecisionForm>} */
-const forms = new Map();
-/** @type {Driving | null} */
-let driving = null;
-/** @type {Chart | null} */
-let chart = null;
-/** @type {Readings | null} */
-let readings = null;
+let tab: typeof TABS[number] = 'decisions';
+let selected: string | null = null;
+let form: DecisionForm | null = null;
+/** Forms of decisions that were opened, so that what is half filled in stays. */
+const forms: Map<string, DecisionForm> = new Map();
+let driving: Driving | null = null;
+let chart: Chart | null = null;
+let readings: Readings | null = null;
 let tabbed = ''; // what the tabs were made of
 let shown = ''; // what the panel was made of
 
@@ -35,11 +29,10 @@ const link = new Link({changed: () => refresh(), refused: (why) => showLogin(why
 
 const pictures = new Pictures(link, () => refresh());
 
-const actions = {
-  /** @param {any} decision */
-  open: (decision) => {
+const actions: panels.Actions = {
+  open: (decision: DecisionRow) => {
     back();
-    form = forms.get(decision.id) ?? new DecisionForm(decision, link, /** @type {Chart} */ (chart), pictures, {say, back: () => {
+    form = forms.get(decision.id) ?? new DecisionForm(decision, link, chart as Chart, pictures, {say, back: () => {
       back();
       refresh(true);
     }, resized: () => chart?.resized()});
@@ -48,30 +41,27 @@ const actions = {
     form.show();
     refresh(true);
   },
-  /** @param {any} command */
-  command: async (command) => {
+  command: async (command: Command) => {
     const reply = await link.ask(command);
-    say([reply.text, ...(reply.warnings ?? [])].filter(Boolean).join(' ') || 'Done', reply.t === 'refused');
+    say([reply.text, ...((reply.t === 'done' && reply.warnings) || [])].filter(Boolean).join(' ') || 'Done', reply.t === 'refused');
   },
-  /** @param {string} boat */
-  select: (boat) => {
+  select: (boat: string) => {
     selected = selected === boat ? null : boat;
     refresh(true);
   },
   selected: () => selected,
-  /** Whether a decision draws attention: nobody here has opened it. @param {any} decision */
-  calls: (decision) => decision.attention !== undefined && !forms.has(decision.id),
+  /** Whether a decision draws attention: nobody here has opened it. */
+  calls: (decision): decision is CallingDecision => decision.attention !== undefined && !forms.has(decision.id),
   refresh: () => refresh(true),
-  /** @param {any} boat */
-  byHand: (boat) => driving?.node(boat) ?? null,
-  /** The newest pictures of a boat. @param {string} boat */
-  pictures: (boat) => pictures.strip(pictures.of(boat)),
-  /** The pictures that boats had taken last at a time. @param {string[]} boats @param {number} at */
-  lastPictures: (boats, at) => pictures.strip(boats.flatMap((boat) => pictures.lastOf(boat, at))),
-  /** A note at a place that is touched. @param {string} text */
-  noteAt: (text) => {
-    const points = /** @type {any[]} */ ([]);
-    const drawing = new Drawing(/** @type {Chart} */ (chart), () => chart?.resized());
+  byHand: (boat: BoatRow) => driving?.node(boat) ?? null,
+  /** The newest pictures of a boat. */
+  pictures: (boat: string) => pictures.strip(pictures.of(boat)),
+  /** The pictures that boats had taken last at a time. */
+  lastPictures: (boats: string[], at: number) => pictures.strip(boats.flatMap((boat) => pictures.lastOf(boat, at))),
+  /** A note at a place that is touched. */
+  noteAt: (text: string) => {
+    const points: LatLon[] = [];
+    const drawing = new Drawing(chart as Chart, () => chart?.resized());
     drawing.begin({type: 'point', points, changed: () => {}, done: () => {
       chart?.draft(null);
       if (points.length > 0) {
@@ -81,11 +71,8 @@ const actions = {
   },
 };
 
-/**
- * Shows a line over the map for some seconds, under those that are still shown: a reply does not hide the news that came with it.
- * @param {string} text @param {boolean} isFault
- */
-function say(text, isFault) {
+/** Shows a line over the map for some seconds, under those that are still shown: a reply does not hide the news that came with it. */
+function say(text: string, isFault: boolean) {
   const notice = byId('notice');
   const now = Date.now();
   said = said.filter((one) => one.until > now).slice(1 - MOST_SAID);
@@ -97,11 +84,9 @@ function say(text, isFault) {
 }
 say.timer = 0;
 const MOST_SAID = 3;
-/** @type {{until: number, node: HTMLElement}[]} */
-let said = [];
+let said: {until: number, node: HTMLElement}[] = [];
 
-/** @param {string} why */
-function showLogin(why) {
+function showLogin(why: string) {
   byId('session').hidden = true;
   byId('login').hidden = false;
   byId('login-fault').textContent = why;
@@ -132,7 +117,7 @@ function strip() {
   const state = link.isQuiet()
     ? seen + ', by ' + link.bases.name()
     : link.isOpen
-    ? link.all('boats').filter((boat) => boat.link === 'linked').length + ' of ' + (fleet?.boats ?? 0) + ' ' + robots + 's · ' + link.welcome.name + ' (' + link.welcome.role + ')'
+    ? link.all('boats').filter((boat) => boat.link === 'linked').length + ' of ' + (fleet?.boats ?? 0) + ' ' + robots + 's · ' + link.welcome?.name + ' (' + link.welcome?.role + ')'
     : seen + trying + (link.waits ? '; ' + link.waits : '');
   byId('state').textContent = state;
   byId('strip').classList.toggle('lost', !link.isOpen || link.isQuiet());
@@ -176,8 +161,7 @@ function back() {
   form = null;
 }
 
-/** @param {string} word */
-function capital(word) {
+function capital(word: string) {
   return word.charAt(0).toUpperCase() + word.slice(1);
 }
 
@@ -197,10 +181,10 @@ function followDecisions() {
       }
     }
   }
-  const lit = new Map();
+  const lit = new Map<string, string>();
   for (const one of link.all('decisions').filter(actions.calls)) {
     const boats = one.attention.target === 'all-proxies' ? link.all('boats').map((boat) => boat.id) : one.attention.target === 'relevant-proxies' ? one.boats : [];
-    boats.forEach((/** @type {string} */ boat) => lit.set(boat, one.attention.type));
+    boats.forEach((boat) => lit.set(boat, one.attention.type));
     if (!called.has(one.id)) {
       called.add(one.id);
       navigator.vibrate?.(200);
@@ -210,8 +194,7 @@ function followDecisions() {
     chart.attention = lit;
   }
 }
-/** @type {Set<string>} */
-const called = new Set();
+const called: Set<string> = new Set();
 
 function refresh(always = false) {
   if (byId('session').hidden || !chart) {
@@ -254,7 +237,7 @@ byId('theme').addEventListener('click', () => {
   localStorage.setItem('theme', THEMES[(THEMES.indexOf(now) + 1) % THEMES.length]);
   theme();
 });
-byId('login').addEventListener('submit', (/** @type {Event} */ event) => {
+byId('login').addEventListener('submit', (event) => {
   event.preventDefault();
   sessionStorage.setItem('name', byId('login-name').value);
   sessionStorage.setItem('key', byId('login-key').value);

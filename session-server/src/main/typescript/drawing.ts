@@ -1,12 +1,11 @@
-// @ts-check
 // Points that are touched on the map, and dragged: a place, a path, an area, a list of places. One drawing at a time.
 import {element} from './dom.js';
 import {Handles, MOST} from './handles.js';
+import type {Chart} from './chart.js';
+import type {LatLon, Shape} from './protocol.js';
 
-/** @typedef {import('./chart.js').Chart} Chart */
-
-/** A shape as the map draws it. @param {string} type @param {any[]} points */
-export function shapeOf(type, points) {
+/** A shape as the map draws it. */
+export function shapeOf(type: string, points: LatLon[]): Shape {
   if (type === 'area' && points.length > 2) {
     return {area: points};
   }
@@ -14,25 +13,29 @@ export function shapeOf(type, points) {
 }
 
 export class Drawing {
-  /** @param {Chart} chart @param {() => void} resized called when the map has another size */
-  constructor(chart, resized) {
+  chart: Chart;
+  resized: () => void;
+  handles: Handles;
+  bar: HTMLElement | null;
+  /** Points as they were before each change. */
+  before: LatLon[][];
+  selected: number | null;
+
+  /** @param resized called when the map has another size */
+  constructor(chart: Chart, resized: () => void) {
     this.chart = chart;
     this.resized = resized;
     this.handles = new Handles(chart.map);
-    /** @type {HTMLElement | null} */
     this.bar = null;
-    /** Points as they were before each change. @type {any[][]} */
     this.before = [];
-    /** @type {number | null} */
     this.selected = null;
   }
 
   /**
    * Begins; what was being drawn ends.
-   *
-   * @param {{type: string, points: any[], changed: () => void, done: () => void}} asked points change in place
+   * @param asked points change in place
    */
-  begin(asked) {
+  begin(asked: {type: string, points: LatLon[], changed: () => void, done: () => void}) {
     this.end();
     this.before = [];
     this.selected = null;
@@ -60,7 +63,7 @@ export class Drawing {
         shown();
       }});
     };
-    const change = (/** @type {() => void} */ doing) => {
+    const change = (doing: () => void) => {
       keep();
       doing();
       this.selected = null;
@@ -90,8 +93,7 @@ export class Drawing {
     shown();
   }
 
-  /** @param {string} type @param {number} count */
-  static words(type, count) {
+  static words(type: string, count: number) {
     if (count === 0) {
       return type === 'point' ? 'Touch the place' : 'Touch the points, one after another';
     }

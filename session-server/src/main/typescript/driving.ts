@@ -1,42 +1,52 @@
-// @ts-check
 // Driving a boat by hand: a claim, a stick to drag, a place to go to.
 import {Drawing} from './drawing.js';
 import {element} from './dom.js';
-
-/** @typedef {import('./link.js').Link} Link @typedef {import('./chart.js').Chart} Chart */
+import type {Chart} from './chart.js';
+import type {Link} from './link.js';
+import type {BoatRow, Command, LatLon} from './protocol.js';
 
 const EVERY_MS = 150; // the server stops the motors after 400 ms without a word
 
 export class Driving {
-  /** @param {Link} link @param {Chart} chart @param {{command: (command: any) => void, resized: () => void}} page */
-  constructor(link, chart, page) {
+  link: Link;
+  page: {command: (command: Command) => void, resized: () => void};
+  drawing: Drawing;
+  chart: Chart;
+  boat: string | null;
+  timer: number;
+  thrust: number;
+  rudder: number;
+  root: HTMLElement;
+  knob: HTMLElement;
+  stick: HTMLElement;
+  keys: Set<string>;
+
+  constructor(link: Link, chart: Chart, page: {command: (command: Command) => void, resized: () => void}) {
     this.link = link;
     this.page = page;
     this.drawing = new Drawing(chart, page.resized);
     this.chart = chart;
-    /** @type {string | null} */
     this.boat = null;
     this.timer = 0;
     this.thrust = 0;
     this.rudder = 0;
     this.root = element('div', {class: 'by-hand'});
     this.knob = element('i', {class: 'knob'});
-    this.stick = element('div', {class: 'stick', role: 'application', tabindex: 0, 'aria-label': 'Drag up to go ahead, down astern, to the sides to turn; or the arrow keys', onpointerdown: (/** @type {any} */ event) => this.press(event), onkeydown: (/** @type {any} */ event) => this.key(event, true), onkeyup: (/** @type {any} */ event) => this.key(event, false), onblur: () => this.release()}, this.knob);
-    for (const [name, take] of Object.entries({pointermove: (/** @type {any} */ event) => this.move(event), pointerup: () => this.release(), pointercancel: () => this.release()})) {
-      this.stick.addEventListener(name, take);
-    }
+    this.stick = element('div', {class: 'stick', role: 'application', tabindex: 0, 'aria-label': 'Drag up to go ahead, down astern, to the sides to turn; or the arrow keys', onpointerdown: (event) => this.press(event), onkeydown: (event) => this.key(event, true), onkeyup: (event) => this.key(event, false), onblur: () => this.release()}, this.knob);
+    this.stick.addEventListener('pointermove', (event) => this.move(event));
+    this.stick.addEventListener('pointerup', () => this.release());
+    this.stick.addEventListener('pointercancel', () => this.release());
     window.addEventListener('blur', () => this.release());
     document.addEventListener('visibilitychange', () => document.hidden && this.release());
-    /** @type {Set<string>} */
     this.keys = new Set();
   }
 
-  /** What can be done with a boat by hand, always the same element, so that a drag goes on when the list is made again; null where nothing is to be. @param {any} boat */
-  node(boat) {
+  /** What can be done with a boat by hand, always the same element, so that a drag goes on when the list is made again; null where nothing is to be. */
+  node(boat: BoatRow) {
     if (!this.link.may('drive') || boat.link === 'unreached') {
       return null;
     }
-    const mine = boat.driver === this.link.welcome.name;
+    const mine = boat.driver === this.link.welcome?.name;
     const words = [boat.id, boat.driver ?? '', mine].join(' ');
     if (this.root.dataset.words !== words) {
       this.release();
@@ -49,17 +59,15 @@ export class Driving {
     return this.root;
   }
 
-  /** @param {string} boat */
-  controls(boat) {
+  controls(boat: string) {
     return [this.stick, element('div', {class: 'orders'},
       element('button', {onclick: () => this.goHere(boat)}, 'Go here…'),
       element('button', {onclick: () => this.page.command({t: 'holdBoat', boat})}, 'Hold its place'),
       element('button', {class: 'main', onclick: () => this.page.command({t: 'giveBack', boat})}, 'Give back'))];
   }
 
-  /** @param {string} boat */
-  goHere(boat) {
-    const points = /** @type {any[]} */ ([]);
+  goHere(boat: string) {
+    const points: LatLon[] = [];
     this.drawing.begin({type: 'point', points, changed: () => {}, done: () => {
       this.chart.draft(null);
       if (points.length > 0) {
@@ -68,8 +76,7 @@ export class Driving {
     }});
   }
 
-  /** @param {PointerEvent} event */
-  press(event) {
+  press(event: PointerEvent) {
     event.preventDefault();
     this.stick.setPointerCapture(event.pointerId);
     this.stick.focus({preventScroll: true});
@@ -77,18 +84,16 @@ export class Driving {
     this.begin();
   }
 
-  /** @param {PointerEvent} event */
-  move(event) {
+  move(event: PointerEvent) {
     if (!this.stick.hasPointerCapture(event.pointerId)) {
       return;
     }
     const box = this.stick.getBoundingClientRect();
-    const unit = (/** @type {number} */ value) => Math.max(-1, Math.min(1, value));
+    const unit = (value: number) => Math.max(-1, Math.min(1, value));
     this.set(unit(1 - (2 * (event.clientY - box.top)) / box.height), unit((2 * (event.clientX - box.left)) / box.width - 1));
   }
 
-  /** @param {KeyboardEvent} event @param {boolean} down */
-  key(event, down) {
+  key(event: KeyboardEvent, down: boolean) {
     if (!event.key.startsWith('Arrow')) {
       return;
     }
@@ -98,7 +103,7 @@ export class Driving {
     } else {
       this.keys.delete(event.key);
     }
-    const axis = (/** @type {string} */ plus, /** @type {string} */ minus) => (this.keys.has(plus) ? 0.6 : 0) - (this.keys.has(minus) ? 0.6 : 0);
+    const axis = (plus: string, minus: string) => (this.keys.has(plus) ? 0.6 : 0) - (this.keys.has(minus) ? 0.6 : 0);
     if (this.keys.size === 0) {
       this.release();
     } else {
@@ -107,8 +112,7 @@ export class Driving {
     }
   }
 
-  /** @param {number} thrust @param {number} rudder */
-  set(thrust, rudder) {
+  set(thrust: number, rudder: number) {
     this.thrust = Math.round(thrust * 100) / 100;
     this.rudder = Math.round(rudder * 100) / 100;
     this.knob.style.left = 50 + 50 * rudder + '%';

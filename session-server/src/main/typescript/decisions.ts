@@ -1,34 +1,51 @@
-// @ts-check
 // The form of a decision: yes or no, boats, an option, or fields. It keeps what is half filled in while other lists are looked at.
 import {Drawing} from './drawing.js';
 import {duration, element} from './dom.js';
 import {Fields} from './fields.js';
-
-/** @typedef {import('./link.js').Link} Link @typedef {import('./chart.js').Chart} Chart */
+import type {Chart} from './chart.js';
+import type {Link} from './link.js';
+import type {Pictures} from './pictures.js';
+import type {Answer, BoatRow, BoatsDecision, DecisionRow, Information, Option, OptionDecision} from './protocol.js';
 
 const JUDGE_MS = 400; // after the last change
 
+/** What the form needs of the page around it. */
+export interface Page {
+  say(text: string, isFault: boolean): void;
+  back(): void;
+  resized(): void;
+}
+
 export class DecisionForm {
-  /**
-   * @param {any} decision its row
-   * @param {Link} link
-   * @param {Chart} chart
-   * @param {import('./pictures.js').Pictures} pictures
-   * @param {{say: (text: string, isFault: boolean) => void, back: () => void, resized: () => void}} page
-   */
-  constructor(decision, link, chart, pictures, page) {
+  decision: DecisionRow;
+  link: Link;
+  chart: Chart;
+  pictures: Pictures;
+  page: Page;
+  drawing: Drawing;
+  fields: Fields | null;
+  main: (() => Answer) | null;
+  chosen: Option[];
+  judging: number;
+  answers: HTMLElement;
+  faults: HTMLElement;
+  warnings: HTMLElement;
+  timer: HTMLElement;
+  state: HTMLElement;
+  seen: HTMLElement;
+  node: HTMLElement;
+
+  /** @param decision its row */
+  constructor(decision: DecisionRow, link: Link, chart: Chart, pictures: Pictures, page: Page) {
     this.decision = decision;
     this.link = link;
     this.chart = chart;
     this.pictures = pictures;
     this.page = page;
     this.drawing = new Drawing(chart, page.resized);
-    /** @type {Fields | null} */
     this.fields = null;
-    /** @type {(() => any) | null} */
     this.main = null;
-    /** @type {any[]} */
-    this.chosen = (decision.options ?? []).filter((/** @type {any} */ one) => one.selected);
+    this.chosen = (decision.form === 'boats' || decision.form === 'option' ? decision.options : []).filter((one) => one.selected);
     this.judging = 0;
     this.answers = element('div', {class: 'answers'});
     this.faults = element('p', {class: 'fault', role: 'alert'});
@@ -38,14 +55,14 @@ export class DecisionForm {
     this.seen = element('div', {class: 'seen-by'});
     const back = element('button', {class: 'back', 'aria-label': 'Back to the list', onclick: () => page.back()}, '‹');
     const where = [decision.plan, decision.place].filter(Boolean).join(' · ');
-    const lines = (decision.description ?? []).map((/** @type {string} */ line) => element('p', {}, line));
+    const lines = (decision.description ?? []).map((line) => element('p', {}, line));
     this.node = element('section', {class: 'decision'}, element('header', {}, back, element('h2', {}, decision.title)),
       element('p', {class: 'where'}, where), ...lines, this.timer, this.state, this.seen, this.form(), this.warnings, this.faults, this.answers);
     this.tick();
   }
 
-  /** The row has changed, or time has passed. @param {any} [decision] */
-  tick(decision) {
+  /** The row has changed, or time has passed. */
+  tick(decision?: DecisionRow) {
     this.decision = decision ?? this.decision;
     const d = this.decision;
     const left = d.deadline === undefined ? '' : 'In ' + duration(d.deadline - this.link.now()) + ' it ' + d.autonomy + '.';
@@ -54,7 +71,7 @@ export class DecisionForm {
       const stop = d.yours ? element('button', {type: 'button', onclick: () => this.hold()}, 'Stop the timer') : null;
       this.timer.replaceChildren(...(left === '' ? [] : [element('span', {}, left), ...(stop ? [stop] : [])]));
     }
-    const state = d.show?.state ? this.link.all('boats').filter((boat) => d.show.boats.includes(boat.id)).map(DecisionForm.stateOf) : [];
+    const state = d.show?.state ? this.link.all('boats').filter((boat) => d.show?.boats.includes(boat.id)).map(DecisionForm.stateOf) : [];
     if (this.state.dataset.words !== state.join('\n')) {
       this.state.dataset.words = state.join('\n');
       this.state.replaceChildren(...state.map((line) => element('p', {}, line)));
@@ -62,8 +79,8 @@ export class DecisionForm {
     this.showPictures();
   }
 
-  /** The layer of readings that it asks for. @returns {{sensor: string, visualization: string} | null} */
-  layer() {
+  /** The layer of readings that it asks for. */
+  layer(): Information | null {
     const d = this.decision;
     return d.information ?? (d.show?.data ? {sensor: '', visualization: 'heatmap'} : null);
   }
@@ -71,7 +88,7 @@ export class DecisionForm {
   /** The pictures that boats had taken last when the question came, where it shows them. */
   showPictures() {
     const d = this.decision;
-    const taken = d.show?.pictures ? d.show.boats.flatMap((/** @type {string} */ boat) => this.pictures.lastOf(boat, d.opened)) : [];
+    const taken = d.show?.pictures ? d.show.boats.flatMap((boat) => this.pictures.lastOf(boat, d.opened)) : [];
     const strip = this.pictures.strip(taken);
     if (this.seen.dataset.html !== (strip?.outerHTML ?? '')) {
       this.seen.dataset.html = strip?.outerHTML ?? '';
@@ -79,8 +96,7 @@ export class DecisionForm {
     }
   }
 
-  /** @param {any} boat */
-  static stateOf(boat) {
+  static stateOf(boat: BoatRow) {
     return [boat.id, boat.battery === undefined ? null : Math.round(boat.battery) + ' %', boat.speed === undefined ? null : boat.speed.toFixed(1) + ' m/s', boat.link, boat.why].filter(Boolean).join(' · ');
   }
 
@@ -89,8 +105,8 @@ export class DecisionForm {
     const d = this.decision;
     this.chart.preview([
       ...(d.shapes ?? []),
-      ...this.chosen.filter((one) => one.shape).map((one) => ({label: '', shape: one.shape})),
-      ...(d.fields ?? []).filter((/** @type {any} */ one) => one.shape).map((/** @type {any} */ one) => ({label: '', shape: one.shape})),
+      ...this.chosen.flatMap((one) => (one.shape ? [{label: '', shape: one.shape}] : [])),
+      ...(d.form === 'fields' ? d.fields : []).flatMap((one) => (one.shape ? [{label: '', shape: one.shape}] : [])),
     ], d.view?.change === 'reduce');
     this.chart.stress(this.link, d);
     this.fields?.show();
@@ -112,18 +128,21 @@ export class DecisionForm {
         this.button('No', () => ({yes: false}));
         return element('div');
       case 'boats':
-        return this.boats();
+        return this.boats(d);
       case 'option':
-        return this.options();
+        return this.options(d);
       default:
-        this.fields = new Fields(d.fields, this.link, this.chart, this.drawing, () => this.changed());
-        this.button('Confirm', () => ({fields: this.fields?.values()}), true);
-        return this.fields.node;
+        return this.given(new Fields(d.fields, this.link, this.chart, this.drawing, () => this.changed()));
     }
   }
 
-  /** @param {string} text @param {() => any} answer @param {boolean} [main] */
-  button(text, answer, main = false) {
+  given(fields: Fields) {
+    this.fields = fields;
+    this.button('Confirm', () => ({fields: fields.values()}), true);
+    return fields.node;
+  }
+
+  button(text: string, answer: () => Answer, main = false) {
     if (main && this.decision.form !== 'yesNo') {
       this.main = answer;
     }
@@ -141,18 +160,20 @@ export class DecisionForm {
       } catch {
         return; // not whole yet
       }
+      if (answer === undefined) {
+        return; // there is no answer but those of its own buttons
+      }
       const reply = await this.link.ask({t: 'judge', decision: this.decision.id, answer});
       this.warnings.textContent = reply.t === 'refused' ? reply.text : (reply.warnings ?? []).join(' ');
     }, JUDGE_MS);
   }
 
-  /** @param {() => any} answer */
-  async give(answer) {
+  async give(answer: () => Answer) {
     let given;
     try {
       given = answer();
     } catch (fault) {
-      this.faults.textContent = /** @type {Error} */ (fault).message;
+      this.faults.textContent = (fault as Error).message;
       return;
     }
     const reply = await this.link.ask({t: 'answer', decision: this.decision.id, answer: given});
@@ -164,10 +185,9 @@ export class DecisionForm {
     }
   }
 
-  boats() {
-    const d = this.decision;
-    const boxes = d.options.map((/** @type {any} */ one) => {
-      const box = /** @type {HTMLInputElement} */ (element('input', {type: 'checkbox', value: one.value, checked: one.selected, onchange: () => this.changed()}));
+  boats(d: BoatsDecision) {
+    const boxes = d.options.map((one) => {
+      const box = element('input', {type: 'checkbox', value: one.value, checked: one.selected, onchange: () => this.changed()});
       return {box, node: element('label', {class: 'row'}, box, element('span', {}, one.label), element('small', {}, one.detail))};
     });
     const chosen = () => boxes.filter((one) => one.box.checked).map((one) => one.box.value);
@@ -189,8 +209,7 @@ export class DecisionForm {
     return element('div', {}, element('button', {onclick: all}, 'All'), ...boxes.map((one) => one.node));
   }
 
-  options() {
-    const d = this.decision;
+  options(d: OptionDecision) {
     if (this.chosen.length === 0 && (d.options.length === 1 || d.format !== 'stacked')) {
       this.chosen = d.options.slice(0, 1);
     }
@@ -203,38 +222,37 @@ export class DecisionForm {
     if (d.reject) {
       this.button('None of them', () => ({none: true}));
     }
-    return d.format === 'stacked' || d.options.length === 1 ? this.stacked() : this.oneAtATime();
+    return d.format === 'stacked' || d.options.length === 1 ? this.stacked(d) : this.oneAtATime(d);
   }
 
-  /** @param {any} option */
-  choose(option) {
+  choose(option: Option) {
     this.chosen = [option];
     this.show();
     this.changed();
   }
 
-  stacked() {
+  stacked(d: OptionDecision) {
     const name = 'option-' + this.decision.id;
-    return element('div', {}, ...this.decision.options.map((/** @type {any} */ one) =>
+    return element('div', {}, ...d.options.map((one) =>
       element('label', {class: 'row'}, element('input', {type: 'radio', name, checked: this.chosen.includes(one), onchange: () => this.choose(one)}),
         element('span', {}, one.label), element('small', {}, one.detail))));
   }
 
   /** By tabs, or by steps from one to the next. */
-  oneAtATime() {
-    const options = this.decision.options;
+  oneAtATime(d: OptionDecision) {
+    const options = d.options;
     const body = element('div', {class: 'row'});
     const head = element('div', {class: 'steps', role: this.decision.format === 'tabs' ? 'tablist' : 'group'});
-    const show = (/** @type {number} */ at) => {
+    const show = (at: number) => {
       const one = options[at];
       body.replaceChildren(element('strong', {}, one.label), element('small', {}, one.detail));
       head.replaceChildren(...(this.decision.format === 'tabs'
-        ? options.map((/** @type {any} */ tab, /** @type {number} */ index) => element('button', {type: 'button', role: 'tab', 'aria-selected': String(index === at), onclick: () => go(index)}, String(index + 1)))
+        ? options.map((_, index) => element('button', {type: 'button', role: 'tab', 'aria-selected': String(index === at), onclick: () => go(index)}, String(index + 1)))
         : [element('button', {type: 'button', disabled: at === 0, 'aria-label': 'The one before', onclick: () => go(at - 1)}, '‹'),
           element('span', {}, at + 1 + ' of ' + options.length),
           element('button', {type: 'button', disabled: at === options.length - 1, 'aria-label': 'The next', onclick: () => go(at + 1)}, '›')]));
     };
-    const go = (/** @type {number} */ at) => {
+    const go = (at: number) => {
       show(at);
       this.choose(options[at]);
     };

@@ -1,30 +1,40 @@
-// @ts-check
 // Points of what is drawn, each as large as a finger: dragged to move, touched to choose; between two that are far apart one that adds a point.
 import * as L from './leaflet/leaflet-src.esm.js';
+import type {LatLon} from './protocol.js';
 
 const SIZE = 48;
 const ROOM = 110; // pixels between two points, for one between them
 export const MOST = 200;
 
-/** @typedef {{begun: () => void, moved: () => void, over: () => void, chosen: (at: number) => void}} Heard */
+/** Who hears what a hand does with the points. */
+export interface Heard {
+  begun(): void;
+  moved(): void;
+  over(): void;
+  chosen(at: number): void;
+}
 
 export class Handles {
-  /** @param {any} map of Leaflet */
-  constructor(map) {
+  map: L.Map;
+  layer: L.LayerGroup;
+  points: LatLon[];
+  type: string;
+  heard: Heard | null;
+  selected: number | null;
+
+  /** @param map of Leaflet */
+  constructor(map: L.Map) {
     this.map = map;
     this.layer = L.layerGroup().addTo(map);
-    /** @type {any[]} */
     this.points = [];
     this.type = '';
-    /** @type {Heard | null} */
     this.heard = null;
-    /** @type {number | null} */
     this.selected = null;
     map.on('zoomend', () => this.draw());
   }
 
-  /** Shows points, which are changed in place. @param {string} type @param {any[]} points @param {number | null} selected @param {Heard} heard */
-  show(type, points, selected, heard) {
+  /** Shows points, which are changed in place. */
+  show(type: string, points: LatLon[], selected: number | null, heard: Heard) {
     this.type = type;
     this.points = points;
     this.selected = selected;
@@ -55,13 +65,11 @@ export class Handles {
     });
   }
 
-  /** @param {any} one @param {any} other */
-  static middle(one, other) {
+  static middle(one: LatLon, other: LatLon): LatLon {
     return [(one[0] + other[0]) / 2, (one[1] + other[1]) / 2];
   }
 
-  /** @param {any} point @param {string} mark @param {number} at @param {boolean} isNew */
-  add(point, mark, at, isNew) {
+  add(point: LatLon, mark: string, at: number, isNew: boolean) {
     const marker = L.marker(point, {draggable: true, autoPan: true, keyboard: false, icon: L.divIcon({className: 'handle ' + mark, iconSize: [SIZE, SIZE]}), zIndexOffset: isNew ? 900 : 1000});
     marker.on('dragstart', () => {
       this.heard?.begun();

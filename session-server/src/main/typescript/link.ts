@@ -1,23 +1,44 @@
-// @ts-check
 // The link to the session (docs/session-link.md): login, rows as they change, commands with their replies; to whichever of the session's bases holds it.
 import {Bases} from './bases.js';
+import type {Command, Hello, Reply, Right, Row, Rows, ServerMessage, Tables, Welcome} from './protocol.js';
 
 const SILENT_MS = 30000;
 const SILENT_BASE_MS = 5000; // of a base that sends something twice a second
 const QUIET_MS = 1500;
 const SCOUT_MS = 3000;
 
+/** Who hears what comes. */
+export interface Listener {
+  changed(): void;
+  refused(why: string): void;
+  news(text: string): void;
+}
+
 export class Link {
-  /**
-   * @param {{changed: () => void, refused: (why: string) => void, news: (text: string) => void}} listener
-   */
-  constructor(listener) {
+  listener: Listener;
+  tables: Map<string, Map<string, Row>>;
+  welcome: Welcome | null;
+  /** Of boats, by id. */
+  numbers: Map<string, number>;
+  isOpen: boolean;
+  heardAt: number;
+  aheadMs: number;
+  bases: Bases;
+  beats: boolean;
+  waits: string;
+  triedAt: number;
+  scoutedAt: number;
+  scouts: number;
+  ids: number;
+  socket: WebSocket | undefined;
+  name: string | undefined;
+  key: string | undefined;
+  asked: Map<number, (reply: Reply) => void>;
+
+  constructor(listener: Listener) {
     this.listener = listener;
-    /** @type {Map<string, Map<string, any>>} */
     this.tables = new Map();
-    /** @type {any} */
     this.welcome = null;
-    /** Of boats, by id. @type {Map<string, number>} */
     this.numbers = new Map();
     this.isOpen = false;
     this.heardAt = 0; // this device's clock
@@ -29,13 +50,11 @@ export class Link {
     this.scoutedAt = 0; // when it was looked last whether another base holds the session
     this.scouts = 0;
     this.ids = 0;
-    /** @type {Map<number, (reply: any) => void>} */
     this.asked = new Map();
     window.setInterval(() => this.look(), 500);
   }
 
-  /** @param {string} name @param {string} key */
-  join(name, key) {
+  join(name: string, key: string) {
     this.name = name;
     this.key = key;
     this.connect();
@@ -46,7 +65,7 @@ export class Link {
     this.socket = socket;
     this.triedAt = Date.now();
     socket.onopen = () => {
-      const hello = {t: 'hello', v: 1, name: this.name};
+      const hello: Hello = {t: 'hello', v: 1, name: this.name ?? ''};
       socket.send(JSON.stringify(this.key ? {...hello, key: this.key} : hello));
     };
     socket.onmessage = (event) => {
@@ -66,7 +85,7 @@ export class Link {
     const stood = this.isOpen;
     this.socket = undefined;
     this.isOpen = false;
-    this.asked.forEach((reply) => reply({t: 'refused', text: 'The link to the session is lost'}));
+    this.asked.forEach((reply) => reply({t: 'refused', id: 0, text: 'The link to the session is lost'}));
     this.asked.clear();
     if (this.name !== undefined) {
       window.setTimeout(() => this.connect(), stood ? this.bases.lost(isSilent) : this.bases.next());
@@ -86,12 +105,8 @@ export class Link {
     }
   }
 
-  /**
-   * Where the base at hand stands still, as it is cut off from the journal, another may hold the session: a standby says at once that it is one, a base that holds it waits for a name.
-   *
-   * @param {number} now
-   */
-  scout(now) {
+  /** Where the base at hand stands still, as it is cut off from the journal, another may hold the session: a standby says at once that it is one, a base that holds it waits for a name. */
+  scout(now: number) {
     if (!this.isOpen || !this.bases.areSeveral() || !this.all('fleet')[0]?.standStill || now - this.scoutedAt < SCOUT_MS) {
       return;
     }
@@ -123,8 +138,7 @@ export class Link {
     return this.isOpen && this.beats && Date.now() - this.heardAt > QUIET_MS;
   }
 
-  /** @param {any} message */
-  take(message) {
+  take(message: ServerMessage) {
     switch (message.t) {
       case 'welcome':
         if (!this.bases.holds(message.epoch ?? 0)) { // another base has followed it: nothing that it says is of now
@@ -164,8 +178,10 @@ export class Link {
         }
         break;
       case 'rights':
-        this.welcome.role = message.role;
-        this.welcome.rights = message.rights;
+        if (this.welcome) {
+          this.welcome.role = message.role;
+          this.welcome.rights = message.rights;
+        }
         this.listener.news(`Your role in this session is ${message.role} now`);
         break;
       case 'bye':
@@ -179,16 +195,14 @@ export class Link {
     this.listener.changed();
   }
 
-  /** @param {string} why */
-  leave(why) {
+  leave(why: string) {
     this.name = undefined;
     this.key = undefined;
     this.tables.clear();
     this.listener.refused(why);
   }
 
-  /** @param {any} message */
-  rows(message) {
+  rows(message: Rows) {
     if (message.full) {
       this.tables.clear();
     }
@@ -206,33 +220,27 @@ export class Link {
     }
   }
 
-  /**
-   * The rows of a table, those with a rank by it.
-   *
-   * @param {string} table
-   * @returns {any[]}
-   */
-  all(table) {
-    const rows = [...(this.tables.get(table)?.values() ?? [])];
+  /** The rows of a table, those with a rank by it. */
+  all<Name extends keyof Tables>(table: Name): Tables[Name][] {
+    const rows = [...(this.tables.get(table)?.values() ?? [])] as Tables[Name][]; // as `rows` has put them in
     return rows.sort((one, other) => (one.rank ?? 0) - (other.rank ?? 0) || String(one.id).localeCompare(other.id, 'en', {numeric: true}));
   }
 
-  /** One row of a table. @param {string} table @param {string} id @returns {any} */
-  row(table, id) {
-    return this.tables.get(table)?.get(id);
+  /** One row of a table. */
+  row<Name extends keyof Tables>(table: Name, id: string): Tables[Name] | undefined {
+    return this.tables.get(table)?.get(id) as Tables[Name] | undefined;
   }
 
-  /** The number of a boat, from 0, in the order in which boats were seen; it keeps it. @param {string} id */
-  numberOf(id) {
+  /** The number of a boat, from 0, in the order in which boats were seen; it keeps it. */
+  numberOf(id: string) {
     if (!this.numbers.has(id)) {
       this.all('boats').forEach((boat) => this.numbers.has(boat.id) || this.numbers.set(boat.id, this.numbers.size));
     }
     return this.numbers.get(id) ?? 0;
   }
 
-  /** @param {string} right */
-  may(right) {
-    return this.isOpen && this.welcome.rights.includes(right);
+  may(right: Right) {
+    return this.isOpen && this.welcome !== null && this.welcome.rights.includes(right);
   }
 
   /** Now, on the session's clock. */
@@ -240,15 +248,10 @@ export class Link {
     return Date.now() + this.aheadMs;
   }
 
-  /**
-   * Gives a command; the reply is `done` or `refused`.
-   *
-   * @param {any} command
-   * @returns {Promise<any>}
-   */
-  ask(command) {
+  /** Gives a command; the reply is `done` or `refused`. */
+  ask(command: Command): Promise<Reply> {
     if (!this.isOpen || !this.socket) {
-      return Promise.resolve({t: 'refused', text: 'The link to the session is lost'});
+      return Promise.resolve({t: 'refused', id: 0, text: 'The link to the session is lost'});
     }
     const id = ++this.ids;
     return new Promise((resolve) => {

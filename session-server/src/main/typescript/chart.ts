@@ -1,13 +1,33 @@
-// @ts-check
 // The map: boats, their ways, areas, and what a decision shows or asks to be drawn.
 import * as L from './leaflet/leaflet-src.esm.js';
+import type {Link} from './link.js';
+import type {AreaRow, BoatRow, DecisionRow, Labelled, LatLon, PlacedBoat, Shape} from './protocol.js';
 
 const COLORS = ['#E69F00', '#56B4E9', '#009E73', '#F0E442', '#0072B2', '#D55E00', '#CC79A7', '#882255', '#999933', '#6A5ACD', '#8C5A2B'];
 const SILENT_MS = 5000;
 
 export class Chart {
-  /** @param {(boat: string) => void} chosen called with a boat that was touched */
-  constructor(chosen) {
+  chosen: (boat: string) => void;
+  map: L.Map;
+  areas: L.LayerGroup;
+  ways: L.LayerGroup;
+  question: L.LayerGroup;
+  drawing: L.LayerGroup;
+  boats: L.LayerGroup;
+  markers: Map<string, {marker: L.Marker, shown: string}>;
+  drawn: string;
+  isPlaced: boolean;
+  isMoved: boolean;
+  link: Link | null;
+  withPaths: boolean;
+  /** Boats of the decision that is shown. */
+  stressed: Set<string>;
+  /** Boats to which decisions that nobody here has opened draw attention, and how. */
+  attention: Map<string, string>;
+  taking: ((point: LatLon) => void) | null;
+
+  /** @param chosen called with a boat that was touched */
+  constructor(chosen: (boat: string) => void) {
     this.chosen = chosen;
     this.map = L.map('map', {zoomControl: false, attributionControl: false, doubleClickZoom: false, maxZoom: 22, preferCanvas: true});
     this.map.setView([0, 0], 2);
@@ -18,24 +38,19 @@ export class Chart {
     this.question = L.layerGroup().addTo(this.map);
     this.drawing = L.layerGroup().addTo(this.map);
     this.boats = L.layerGroup().addTo(this.map);
-    /** @type {Map<string, any>} */
     this.markers = new Map();
     this.drawn = '';
     this.isPlaced = false;
     this.isMoved = false; // by the person
-    /** @type {import('./link.js').Link | null} */
     this.link = null;
     this.withPaths = false;
-    /** Boats of the decision that is shown. @type {Set<string>} */
     this.stressed = new Set();
-    /** Boats to which decisions that nobody here has opened draw attention, and how. @type {Map<string, string>} */
     this.attention = new Map();
-    /** @type {((point: [number, number]) => void) | null} */
     this.taking = null;
     this.background();
     this.watch();
     new ResizeObserver(() => this.resized()).observe(this.map.getContainer());
-    this.map.on('click', (/** @type {any} */ event) => this.taking?.([event.latlng.lat, event.latlng.lng]));
+    this.map.on('click', (event) => this.taking?.([event.latlng.lat, event.latlng.lng]));
   }
 
   /** Notices when a person moves the map or looks closer: then it is left where it is. */
@@ -45,7 +60,7 @@ export class Chart {
     const place = this.map.getContainer();
     place.addEventListener('wheel', moved, {passive: true});
     place.querySelector('.leaflet-control-zoom')?.addEventListener('click', moved);
-    place.addEventListener('pointerdown', (/** @type {PointerEvent} */ event) => event.isPrimary || moved(), {passive: true}); // a second finger
+    place.addEventListener('pointerdown', (event: PointerEvent) => event.isPrimary || moved(), {passive: true}); // a second finger
   }
 
   /** Draws the background map below all else, where the base has one. */
@@ -54,7 +69,7 @@ export class Chart {
     if (answer?.status !== 200) {
       return;
     }
-    const about = await answer.json();
+    const about: {coarsest: number, finest: number, attribution?: string} = await answer.json();
     L.tileLayer('tiles/{z}/{x}/{y}', {minNativeZoom: about.coarsest, maxNativeZoom: about.finest, maxZoom: 22}).addTo(this.map);
     if (about.attribution) {
       const words = document.createElement('span');
@@ -71,15 +86,14 @@ export class Chart {
     }
   }
 
-  /** The colour of a boat, which it keeps: the same as in windows where all boats came in the order of their names. @param {import('./link.js').Link} link @param {string} id */
-  static color(link, id) {
+  /** The colour of a boat, which it keeps: the same as in windows where all boats came in the order of their names. */
+  static color(link: Link, id: string) {
     return COLORS[link.numberOf(id) % COLORS.length];
   }
 
-  /** @param {import('./link.js').Link} link @param {string | null} selected */
-  show(link, selected) {
+  show(link: Link, selected: string | null) {
     this.link = link;
-    const boats = link.all('boats').filter((boat) => boat.lat !== undefined);
+    const boats = Chart.placed(link.all('boats'));
     for (const boat of boats) {
       const marks = [
         boat.id === selected ? 'selected' : '',
@@ -90,7 +104,7 @@ export class Chart {
       ];
       this.boat(boat, Chart.color(link, boat.id), marks.filter(Boolean).join(' '));
     }
-    for (const [id, marker] of this.markers) {
+    for (const [id, {marker}] of this.markers) {
       if (!boats.some((boat) => boat.id === id)) {
         this.boats.removeLayer(marker);
         this.markers.delete(id);
@@ -107,9 +121,18 @@ export class Chart {
     }
   }
 
-  /** Shows all boats and areas. @param {import('./link.js').Link} link */
-  fit(link) {
-    const points = link.all('boats').filter((boat) => boat.lat !== undefined).map((boat) => [boat.lat, boat.lon]);
+  /** Those that have said where they are. */
+  static placed(boats: (BoatRow | undefined)[]): PlacedBoat[] {
+    return boats.filter((boat): boat is PlacedBoat => boat?.lat !== undefined);
+  }
+
+  static at(boat: PlacedBoat): LatLon {
+    return [boat.lat, boat.lon];
+  }
+
+  /** Shows all boats and areas. */
+  fit(link: Link) {
+    const points = Chart.placed(link.all('boats')).map(Chart.at);
     for (const area of link.all('areas')) {
       points.push(...(area.shape.area ?? (area.shape.point ? [area.shape.point] : [])));
     }
@@ -118,24 +141,25 @@ export class Chart {
     }
   }
 
-  /** @param {any} boat @param {string} color @param {string} marks classes of its figure */
-  boat(boat, color, marks) {
+  /** @param marks classes of its figure */
+  boat(boat: PlacedBoat, color: string, marks: string) {
     const text = JSON.stringify([color, Math.round(boat.heading ?? 0), marks]);
-    let marker = this.markers.get(boat.id);
-    if (!marker) {
-      marker = L.marker([boat.lat, boat.lon], {keyboard: false, icon: L.divIcon({className: 'boat'})}).on('click', (/** @type {any} */ event) => this.touched(boat.id, event));
-      this.markers.set(boat.id, marker);
+    let known = this.markers.get(boat.id);
+    if (!known) {
+      const marker = L.marker([boat.lat, boat.lon], {keyboard: false, icon: L.divIcon({className: 'boat'})}).on('click', (event) => this.touched(boat.id, event));
+      known = {marker, shown: ''};
+      this.markers.set(boat.id, known);
       this.boats.addLayer(marker);
     }
-    marker.setLatLng([boat.lat, boat.lon]);
-    if (marker.shownText !== text) {
-      marker.shownText = text;
-      marker.setIcon(L.divIcon({className: 'boat', iconSize: [48, 48], html: Chart.figure(boat, color, marks)}));
+    known.marker.setLatLng([boat.lat, boat.lon]);
+    if (known.shown !== text) {
+      known.shown = text;
+      known.marker.setIcon(L.divIcon({className: 'boat', iconSize: [48, 48], html: Chart.figure(boat, color, marks)}));
     }
   }
 
-  /** A point is drawn over a boat, too. @param {string} boat @param {any} event */
-  touched(boat, event) {
+  /** A point is drawn over a boat, too. */
+  touched(boat: string, event: L.LeafletMouseEvent) {
     if (this.taking) {
       const at = this.map.mouseEventToLatLng(event.originalEvent);
       this.taking([at.lat, at.lng]);
@@ -144,8 +168,7 @@ export class Chart {
     }
   }
 
-  /** @param {any} boat @param {string} color @param {string} marks */
-  static figure(boat, color, marks) {
+  static figure(boat: PlacedBoat, color: string, marks: string) {
     const figure = document.createElement('div');
     figure.className = 'figure ' + marks;
     const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
@@ -161,21 +184,19 @@ export class Chart {
     return figure;
   }
 
-  /** @param {import('./link.js').Link} link */
-  lines(link) {
+  lines(link: Link) {
     this.areas.clearLayers();
     this.ways.clearLayers();
-    const isThick = (/** @type {string} */ id) => this.withPaths && this.stressed.has(id);
+    const isThick = (id: string) => this.withPaths && this.stressed.has(id);
     for (const area of link.all('areas')) {
       this.put(this.areas, area.shape, Chart.style(area.kind), area.name.startsWith('@') ? '' : area.name);
     }
     for (const way of link.all('paths')) {
-      L.polyline(way.points, {color: Chart.color(link, way.id), weight: isThick(way.id) ? 5 : 2, dashArray: isThick(way.id) ? null : '6 4', interactive: false}).addTo(this.ways);
+      L.polyline(way.points, {color: Chart.color(link, way.id), weight: isThick(way.id) ? 5 : 2, dashArray: isThick(way.id) ? undefined : '6 4', interactive: false}).addTo(this.ways);
     }
   }
 
-  /** @param {string} kind */
-  static style(kind) {
+  static style(kind: AreaRow['kind']): L.PathOptions {
     switch (kind) {
       case 'no-go':
         return {color: '#c62828', weight: 2, fillOpacity: 0.2};
@@ -188,8 +209,7 @@ export class Chart {
     }
   }
 
-  /** @param {any} layer @param {any} shape @param {any} style @param {string} [label] */
-  put(layer, shape, style, label) {
+  put(layer: L.LayerGroup, shape: Shape, style: L.PathOptions, label?: string) {
     let made;
     if (shape.point) {
       made = L.circleMarker(shape.point, {...style, radius: 7, fill: true, fillOpacity: 0.7, interactive: false});
@@ -198,7 +218,7 @@ export class Chart {
     } else if (shape.area) {
       made = L.polygon([shape.area, ...(shape.holes ?? [])], {...style, interactive: false});
     } else {
-      (shape.many ?? []).forEach((/** @type {any} */ one) => this.put(layer, one.shape, style, one.label));
+      (shape.many ?? []).forEach((one) => this.put(layer, one.shape, style, one.label));
       return;
     }
     made.addTo(layer);
@@ -209,10 +229,10 @@ export class Chart {
     }
   }
 
-  /** Shows what belongs to a decision. @param {any[]} shapes as `{label, shape}` @param {boolean} [isTight] whether the map shows no more than that */
-  preview(shapes, isTight = false) {
+  /** Shows what belongs to a decision. @param shapes as `{label, shape}` @param isTight whether the map shows no more than that */
+  preview(shapes: Labelled[], isTight = false) {
     this.question.clearLayers();
-    const points = [];
+    const points: LatLon[] = [];
     for (const one of shapes) {
       this.put(this.question, one.shape, {color: '#ff6f00', weight: 4, fillOpacity: 0.15}, one.label);
       points.push(...Chart.points(one.shape));
@@ -220,29 +240,27 @@ export class Chart {
     this.bring(points, isTight);
   }
 
-  /** @param {any[]} points @param {boolean} isTight */
-  bring(points, isTight) {
+  bring(points: LatLon[], isTight: boolean) {
     if (points.length > 0 && (isTight || !this.map.getBounds().contains(L.latLngBounds(points)))) {
       this.map.fitBounds(L.latLngBounds(points).pad(0.3), {maxZoom: 18, animate: false});
     }
   }
 
-  /** Stresses the boats that a decision shows, and brings those that it asks for into view. @param {import('./link.js').Link} link @param {any | null} decision */
-  stress(link, decision) {
+  /** Stresses the boats that a decision shows, and brings those that it asks for into view. */
+  stress(link: Link, decision: DecisionRow | null) {
     this.stressed = new Set(decision?.show?.boats ?? []);
-    const placed = (decision?.view?.boats ?? []).map((/** @type {string} */ id) => link.row('boats', id)).filter((/** @type {any} */ boat) => boat?.lat !== undefined);
-    this.bring(placed.map((/** @type {any} */ boat) => [boat.lat, boat.lon]), decision?.view?.change === 'reduce');
+    const placed = Chart.placed((decision?.view?.boats ?? []).map((id) => link.row('boats', id)));
+    this.bring(placed.map(Chart.at), decision?.view?.change === 'reduce');
     this.withPaths = Boolean(decision?.show?.paths);
     this.drawn = ''; // ways are drawn again
   }
 
-  /** @param {any} shape @returns {any[]} */
-  static points(shape) {
-    return shape.point ? [shape.point] : shape.path ?? shape.area ?? (shape.many ?? []).flatMap((/** @type {any} */ one) => Chart.points(one.shape));
+  static points(shape: Shape): LatLon[] {
+    return shape.point ? [shape.point] : shape.path ?? shape.area ?? (shape.many ?? []).flatMap((one) => Chart.points(one.shape));
   }
 
-  /** Shows what is being drawn. @param {any | null} shape */
-  draft(shape) {
+  /** Shows what is being drawn. */
+  draft(shape: Shape | null) {
     this.drawing.clearLayers();
     if (shape) {
       this.put(this.drawing, shape, {color: '#d500f9', weight: 4, fillOpacity: 0.2});

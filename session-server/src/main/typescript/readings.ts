@@ -1,16 +1,15 @@
-// @ts-check
 // What boats measure: the newest value of each channel, and the layer of readings that is chosen for the map or that a decision asks for.
 import {byId, duration, element} from './dom.js';
 import {Field} from './field.js';
-
-/** @typedef {import('./link.js').Link} Link */
-/** @typedef {{sensor: string, visualization: string}} Asked */
+import type {Chart} from './chart.js';
+import type {Link} from './link.js';
+import type {Information, Layer} from './protocol.js';
 
 const AGAIN_MS = 5000;
 const OLD_MS = 60000;
 
-/** A word of a vocabulary as people read it. @param {string} word */
-export function plain(word) {
+/** A word of a vocabulary as people read it. */
+export function plain(word: string) {
   if (word.length < 4) {
     return word; // pH
   }
@@ -18,19 +17,19 @@ export function plain(word) {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-/** A value with its unit. @param {number} value @param {string} [unit] */
-export function figure(value, unit) {
+/** A value with its unit. */
+export function figure(value: number, unit?: string) {
   const digits = Math.abs(value) >= 1000 ? 0 : Math.abs(value) >= 100 ? 1 : 2;
   return value.toFixed(digits) + (unit ? ' ' + unit : '');
 }
 
-/** The newest readings of a boat. @param {Link} link @param {string} boat @returns {HTMLElement | null} */
-export function readingsOf(link, boat) {
+/** The newest readings of a boat. */
+export function readingsOf(link: Link, boat: string): HTMLElement | null {
   const rows = link.row('readings', boat)?.readings ?? [];
   if (rows.length === 0) {
     return null;
   }
-  return element('dl', {class: 'readings', 'aria-label': 'Readings of ' + boat}, ...rows.flatMap((/** @type {any} */ one) => {
+  return element('dl', {class: 'readings', 'aria-label': 'Readings of ' + boat}, ...rows.flatMap((one) => {
     const age = link.now() - one.at;
     return [
       element('dt', {}, plain(one.channel), element('small', {}, one.sensor)),
@@ -39,13 +38,17 @@ export function readingsOf(link, boat) {
 }
 
 export class Readings {
-  /** @param {Link} link @param {import('./chart.js').Chart} chart */
-  constructor(link, chart) {
+  link: Link;
+  field: Field;
+  chosen: Information | null;
+  wanted: string;
+  askedAt: number;
+  listed: string;
+
+  constructor(link: Link, chart: Chart) {
     this.link = link;
     this.field = new Field(chart.map);
-    /** @type {Asked | null} */
     this.chosen = null;
-    /** @type {string} */
     this.wanted = '';
     this.askedAt = 0;
     this.listed = '';
@@ -55,8 +58,8 @@ export class Readings {
     });
   }
 
-  /** Follows what is measured and asked for; called often. @param {Asked | null} asked by the decision that is open */
-  show(asked) {
+  /** Follows what is measured and asked for; called often. @param asked by the decision that is open */
+  show(asked: Information | null) {
     const channels = this.channels();
     byId('readings').hidden = channels.size === 0;
     this.list(channels);
@@ -74,17 +77,16 @@ export class Readings {
     }
   }
 
-  /** The channels that boats measure, by the name of each in the link. @returns {Map<string, string>} */
-  channels() {
-    const found = new Map();
+  /** The channels that boats measure, by the name of each in the link. */
+  channels(): Map<string, string> {
+    const found = new Map<string, string>();
     for (const row of this.link.all('readings')) {
-      row.readings.forEach((/** @type {any} */ one) => found.set(one.sensor + '/' + one.channel, plain(one.channel) + ' (' + one.sensor + ')'));
+      row.readings.forEach((one) => found.set(one.sensor + '/' + one.channel, plain(one.channel) + ' (' + one.sensor + ')'));
     }
     return new Map([...found].sort((one, other) => one[1].localeCompare(other[1])));
   }
 
-  /** @param {Map<string, string>} channels */
-  list(channels) {
+  list(channels: Map<string, string>) {
     const text = [...channels.keys()].join('\n');
     if (text !== this.listed) {
       this.listed = text;
@@ -92,19 +94,17 @@ export class Readings {
     }
   }
 
-  /** @param {Asked} want @param {string} wanted */
-  async ask(want, wanted) {
+  async ask(want: Information, wanted: string) {
     if (!this.link.isOpen || document.hidden) {
       return;
     }
     const reply = await this.link.ask({t: 'layer', ...want});
     if (wanted === this.wanted) {
-      this.draw(reply.layer ?? null);
+      this.draw((reply.t === 'done' && reply.layer) || null);
     }
   }
 
-  /** @param {any | null} layer */
-  draw(layer) {
+  draw(layer: Layer | null) {
     this.field.show(layer);
     const legend = byId('legend');
     legend.hidden = layer === null;

@@ -1,19 +1,40 @@
-// @ts-check
 // Elements of the page. What comes from the session is put in as text, never as markup.
 
-/**
- * An element with attributes, listeners (`onclick`) and children; texts become text nodes.
- *
- * @param {string} tag
- * @param {Record<string, any>} [attributes]
- * @param {...(Node | string | null | undefined)} children
- * @returns {HTMLElement}
- */
-export function element(tag, attributes = {}, ...children) {
+/** Attributes by name: `true` puts one without a value, `false` and nothing leave it out. Names with `on` are listeners. */
+export type Attributes = {[name: string]: string | number | boolean | null | undefined | ((event: never) => void)} & {
+  [Name in keyof HTMLElementEventMap as `on${Name}`]?: (event: HTMLElementEventMap[Name]) => void;
+};
+
+/** The elements of index.html that have an id. */
+interface Elements {
+  login: HTMLFormElement;
+  'login-fault': HTMLElement;
+  'login-name': HTMLInputElement;
+  'login-key': HTMLInputElement;
+  session: HTMLElement;
+  strip: HTMLElement;
+  theme: HTMLButtonElement;
+  state: HTMLElement;
+  stop: HTMLButtonElement;
+  stopped: HTMLElement;
+  'stopped-words': HTMLElement;
+  release: HTMLButtonElement;
+  map: HTMLElement;
+  readings: HTMLElement;
+  layer: HTMLSelectElement;
+  legend: HTMLElement;
+  viewer: HTMLElement;
+  tabs: HTMLElement;
+  panel: HTMLElement;
+  notice: HTMLElement;
+}
+
+/** An element with attributes, listeners (`onclick`) and children; texts become text nodes. */
+export function element<Tag extends keyof HTMLElementTagNameMap>(tag: Tag, attributes: Attributes = {}, ...children: (Node | string | null | undefined)[]): HTMLElementTagNameMap[Tag] {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith('on')) {
-      made.addEventListener(name.slice(2), value);
+    if (typeof value === 'function') {
+      made.addEventListener(name.slice(2), value as (event: Event) => void);
     } else if (value === true) {
       made.setAttribute(name, '');
     } else if (value !== false && value !== undefined && value !== null) {
@@ -28,24 +49,19 @@ export function element(tag, attributes = {}, ...children) {
   return made;
 }
 
-/** @param {string} id @returns {any} */
-export function byId(id) {
-  return /** @type {any} */ (document.getElementById(id));
+/** An element of index.html. */
+export function byId<Id extends keyof Elements>(id: Id): Elements[Id] {
+  return document.getElementById(id) as Elements[Id];
 }
 
-/**
- * A button that acts only after it was held for a second, so that no touch by accident does it.
- *
- * @param {HTMLElement} button
- * @param {() => void} action
- */
-export function hold(button, action) {
+/** A button that acts only after it was held for a second, so that no touch by accident does it. */
+export function hold(button: HTMLElement, action: () => void) {
   let timer = 0;
   const end = () => {
     clearTimeout(timer);
     button.classList.remove('held');
   };
-  const begin = (/** @type {Event} */ event) => {
+  const begin = (event: Event) => {
     event.preventDefault();
     end();
     button.classList.add('held');
@@ -81,12 +97,8 @@ export function isPressed() {
   return pressed;
 }
 
-/**
- * Seconds in words, such as 12 s, 3 min, 2 h.
- *
- * @param {number} ms
- */
-export function duration(ms) {
+/** Seconds in words, such as 12 s, 3 min, 2 h. */
+export function duration(ms: number) {
   const seconds = Math.max(0, Math.round(ms / 1000));
   return seconds < 100 ? seconds + ' s' : seconds < 5400 ? Math.round(seconds / 60) + ' min' : Math.round(seconds / 3600) + ' h';
 }

@@ -1,45 +1,52 @@
-// @ts-check
 // Pictures that boats took: small ones in lists, one large over map and lists. They are fetched with the ticket of this login, and kept in memory only.
 import {byId, duration, element} from './dom.js';
+import type {Link} from './link.js';
+import type {PictureOfPanorama, PicturesRow} from './protocol.js';
 
-/** @typedef {import('./link.js').Link} Link */
-/** @typedef {{row: any, name: string, state: string, why?: string}} Picture of a row of the table `pictures` */
+/** One of a row of the table `pictures`. */
+export type Picture = PictureOfPanorama & {row: PicturesRow};
 
 const MOST_KEPT = 80;
 const MOST_SHOWN = 6; // in a list
 const AGAIN_MS = 5000;
 
 export class Pictures {
-  /** @param {Link} link @param {() => void} loaded called when a picture has come */
-  constructor(link, loaded) {
+  link: Link;
+  loaded: () => void;
+  /** Addresses of pictures in memory, by what was asked; the one that was used last is the last. */
+  kept: Map<string, string>;
+  failedAt: Map<string, number>;
+  waiting: Set<string>;
+  chain: Promise<void>;
+  open: Picture[];
+  at: number;
+
+  /** @param loaded called when a picture has come */
+  constructor(link: Link, loaded: () => void) {
     this.link = link;
     this.loaded = loaded;
-    /** Addresses of pictures in memory, by what was asked; the one that was used last is the last. @type {Map<string, string>} */
     this.kept = new Map();
-    /** @type {Map<string, number>} */
     this.failedAt = new Map();
-    /** @type {Set<string>} */
     this.waiting = new Set();
     this.chain = Promise.resolve();
-    /** @type {Picture[]} */
     this.open = [];
     this.at = 0;
     document.addEventListener('keydown', (event) => this.key(event));
   }
 
-  /** The newest pictures of a boat that are here, the newest panorama first. @param {string} boat @returns {Picture[]} */
-  of(boat) {
-    return this.link.all('pictures').filter((row) => row.boat === boat).flatMap((row) => row.pictures.map((/** @type {any} */ one) => ({...one, row})));
+  /** The newest pictures of a boat that are here, the newest panorama first. */
+  of(boat: string): Picture[] {
+    return this.link.all('pictures').filter((row) => row.boat === boat).flatMap((row) => row.pictures.map((one) => ({...one, row})));
   }
 
-  /** The last panorama of a boat that was there at a time. @param {string} boat @param {number} at in ms @returns {Picture[]} */
-  lastOf(boat, at) {
+  /** The last panorama of a boat that was there at a time. @param at in ms */
+  lastOf(boat: string, at: number): Picture[] {
     const row = this.link.all('pictures').find((one) => one.boat === boat && one.at <= at);
-    return row ? row.pictures.map((/** @type {any} */ one) => ({...one, row})) : [];
+    return row ? row.pictures.map((one) => ({...one, row})) : [];
   }
 
-  /** A line of small pictures; a touch shows one large. @param {Picture[]} pictures @returns {HTMLElement | null} */
-  strip(pictures) {
+  /** A line of small pictures; a touch shows one large. */
+  strip(pictures: Picture[]): HTMLElement | null {
     const here = pictures.filter((one) => one.state === 'here');
     const coming = pictures.filter((one) => one.state === 'coming').length;
     if (here.length === 0 && coming === 0) {
@@ -57,16 +64,15 @@ export class Pictures {
     return 'Pictures come once the page of ' + this.link.bases.holder() + ' is opened';
   }
 
-  /** @param {Picture} one @param {Picture[]} all */
-  small(one, all) {
+  small(one: Picture, all: Picture[]) {
     const address = this.address(one, true);
     const words = one.row.boat + ', ' + duration(this.link.now() - one.row.at) + ' ago';
     return element('button', {class: 'thumb', type: 'button', 'aria-label': 'Picture of ' + words, onclick: () => this.show(all, all.indexOf(one))},
       address ? element('img', {src: address, alt: ''}) : element('span', {}, '…'));
   }
 
-  /** The address in memory of a picture; null until it has come. @param {Picture} one @param {boolean} small @returns {string | null} */
-  address(one, small) {
+  /** The address in memory of a picture; null until it has come. */
+  address(one: Picture, small: boolean): string | null {
     const asked = new URLSearchParams({boat: one.row.boat, panorama: one.row.panorama, name: one.name, ...(small ? {small: '1'} : {})}).toString();
     const known = this.kept.get(asked);
     if (known) {
@@ -81,8 +87,8 @@ export class Pictures {
     return null;
   }
 
-  /** One after the other, as they share the way with what is more urgent. @param {string} asked */
-  async fetch(asked) {
+  /** One after the other, as they share the way with what is more urgent. */
+  async fetch(asked: string) {
     if (this.link.bases.isElsewhere()) { // since it was asked for
       this.waiting.delete(asked);
       this.draw();
@@ -95,7 +101,7 @@ export class Pictures {
       }
       this.kept.set(asked, URL.createObjectURL(await answer.blob()));
       while (this.kept.size > MOST_KEPT) {
-        const [oldest, address] = /** @type {[string, string]} */ (this.kept.entries().next().value);
+        const [oldest, address] = this.kept.entries().next().value as [string, string];
         this.kept.delete(oldest);
         URL.revokeObjectURL(address);
       }
@@ -107,8 +113,8 @@ export class Pictures {
     this.draw();
   }
 
-  /** Shows one large. @param {Picture[]} all @param {number} at */
-  show(all, at) {
+  /** Shows one large. */
+  show(all: Picture[], at: number) {
     this.open = all;
     this.at = at;
     byId('viewer').hidden = false;
@@ -147,14 +153,12 @@ export class Pictures {
       element('div', {class: 'large'}, address ? image : element('p', {class: 'hint'}, why ?? 'The picture is coming…')));
   }
 
-  /** @param {number} by */
-  turn(by) {
+  turn(by: number) {
     this.at = Math.max(0, Math.min(this.open.length - 1, this.at + by));
     this.draw();
   }
 
-  /** @param {KeyboardEvent} event */
-  key(event) {
+  key(event: KeyboardEvent) {
     if (this.open.length === 0) {
       return;
     }
