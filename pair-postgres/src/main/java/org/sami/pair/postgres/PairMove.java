@@ -32,6 +32,10 @@ public final class PairMove {
         CONNECTED,
         /** The other base lets this one in, and does not know its address yet, or does not follow for another reason. */
         ANSWERS,
+        /** The other base took the session over from this one. */
+        REPLACED_HERE,
+        /** This base took the session over from the other. */
+        REPLACED_THERE,
         /** The other base does not let this one in from its new address. */
         REFUSED,
         /** No database of this pair answers there. */
@@ -154,6 +158,9 @@ public final class PairMove {
                 if (isConnected(own)) {
                     return Link.CONNECTED;
                 }
+                if (!Replication.isReplica(own)) {
+                    link = replaced(Replication.timeline(own));
+                }
                 TimeUnit.MILLISECONDS.sleep(LOOK_MILLIS);
             } catch (SQLException fault) {
                 throw new PairException("the database of this base: " + DatabaseFaults.words(fault), fault);
@@ -163,6 +170,18 @@ public final class PairMove {
             }
         }
         return link;
+    }
+
+    /** Whether one of both databases is there no longer as the other's replica. */
+    private Link replaced(int timeline) {
+        try (Connection other = connections.other()) {
+            if (Replication.isReplica(other)) {
+                return Link.ANSWERS;
+            }
+            return Replication.timeline(other) > timeline ? Link.REPLACED_HERE : Link.REPLACED_THERE;
+        } catch (SQLException silent) {
+            return Link.ANSWERS; // it did a moment ago
+        }
     }
 
     private Link look() {

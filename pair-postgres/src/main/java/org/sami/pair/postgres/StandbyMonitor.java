@@ -150,7 +150,7 @@ public final class StandbyMonitor implements AutoCloseable {
                 Protection.State.SILENT,
                 "nothing comes from " + other()
                         + ", which may go on with the session: this base stops commanding until it answers",
-                "If " + other() + " is off, here: crw pair alone");
+                "If " + other() + " is off, here: crw pair alone; if it has another address: crw pair address");
     }
 
     private String other() {

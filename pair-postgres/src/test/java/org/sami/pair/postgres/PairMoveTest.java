@@ -85,9 +85,30 @@ class PairMoveTest {
     }
 
     @Test
-    void anAddressWhereNothingAnswersDoesNotCutBasesThatAreConnected() throws Exception {
+    void aBaseThatWasReplacedIsToldToComeBackAsTheStandby() throws Exception {
         try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER)) {
+            PairDatabase.of(bases.first).stop();
+            BasePair.open(bases.second).takeOver("sami", /* lossConfirmed= */ true);
+            PairDatabase.of(bases.first).start();
+
+            assertThat(PairMove.to(bases.first, bases.newAddress, bases.secondAddress)
+                            .link())
+                    .isEqualTo(Link.REPLACED_HERE);
+            assertThat(PairMove.to(bases.second, bases.secondAddress, bases.newAddress)
+                            .link())
+                    .isEqualTo(Link.REPLACED_THERE);
+
+            PairSetup.copyAgain(bases.first, "replaced");
+            assertThat(BasePair.open(bases.first).part()).isEqualTo(BasePair.Part.REPLICA);
+        }
+    }
+
+    @Test
+    void anAddressWhereNothingAnswersDoesNotCutBasesThatAreConnected() throws Exception {
+        try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER);
+                StandbyMonitor monitor = monitor(bases)) {
             PairSettings before = bases.second.settings();
+            await("copied");
 
             assertThatThrownBy(() -> PairMove.to(bases.second, bases.secondAddress, bases.newAddress))
                     .isInstanceOf(PairException.class)
@@ -118,6 +139,10 @@ class PairMoveTest {
 
             assertThat(list).content().contains(own, bases.newAddress + "/32").doesNotContain(bases.secondAddress);
         }
+    }
+
+    private StandbyMonitor monitor(TwoBases bases) throws IOException {
+        return BasePair.open(bases.first).monitor(Clock.systemUTC(), (now, since) -> lines.add(now.text()));
     }
 
     private void await(String beginning) throws InterruptedException {

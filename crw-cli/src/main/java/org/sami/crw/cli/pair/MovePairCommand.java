@@ -68,6 +68,10 @@ final class MovePairCommand implements Callable<Integer> {
                     case ANSWERS ->
                         after.other() + " answers, but neither base follows the other. If it was not done" + " yet, "
                                 + there + "; else 'crw pair status' says more";
+                    case REPLACED_HERE ->
+                        after.other() + " took the session over: this base comes back by 'crw pair rejoin'";
+                    case REPLACED_THERE ->
+                        "this base took the session over: " + after.other() + " comes back by 'crw pair rejoin' there";
                     case REFUSED -> after.other() + " does not let this base in yet; " + there;
                     case SILENT -> after.other() + " does not answer; once it is in this network, " + there;
                 });
