@@ -3,7 +3,14 @@ package org.sami.mavlink.base;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.dronefleet.mavlink.MavlinkConnection;
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import io.dronefleet.mavlink.minimal.MavAutopilot;
+import io.dronefleet.mavlink.minimal.MavState;
+import io.dronefleet.mavlink.minimal.MavType;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -21,6 +28,7 @@ import org.sami.mavlink.link.MavlinkLinkState;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.testing.SmallVehicle;
+import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -153,6 +161,44 @@ class MavlinkBaseTest {
                     () -> vehicles(base).stream().anyMatch(each -> each.id().equals(new VehicleId(1, 1))));
 
             assertThat(base.held(new VehicleId(1, 1), HeldKind.MISSION).join()).hasSize(5);
+        }
+    }
+
+    private static byte[] heartbeat(int system) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        MavlinkConnection.create(InputStream.nullInputStream(), bytes)
+                .send2(
+                        system,
+                        1,
+                        Heartbeat.builder()
+                                .type(MavType.MAV_TYPE_SURFACE_BOAT)
+                                .autopilot(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA)
+                                .systemStatus(MavState.MAV_STATE_STANDBY)
+                                .mavlinkVersion(3)
+                                .build());
+        return bytes.toByteArray();
+    }
+
+    @Test
+    void messagesThatCameTogetherWithOneThatHasAFaultAreHandled() throws Exception {
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+                MavlinkBase base = base("mavlink:tcp:127.0.0.1:" + server.getLocalPort())) {
+            base.addListener(event -> {
+                if (event instanceof VehicleEvent.Appeared appeared
+                        && appeared.vehicle().equals(new VehicleId(1, 1))) {
+                    throw new IllegalStateException("a fault of a listener");
+                }
+            });
+            try (Socket socket = server.accept()) {
+                ByteArrayOutputStream together = new ByteArrayOutputStream();
+                together.write(heartbeat(1));
+                together.write(heartbeat(2));
+                write(socket, together.toByteArray());
+
+                Await.until(
+                        "the second one is known",
+                        () -> vehicles(base).stream().anyMatch(each -> each.id().equals(new VehicleId(2, 1))));
+            }
         }
     }
 

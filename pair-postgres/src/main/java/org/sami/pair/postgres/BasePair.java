@@ -81,7 +81,8 @@ public final class BasePair {
         } catch (SQLException silent) {
             if (waits && settings.whenCut() == WhenCut.TAKE_OVER) {
                 throw new PairException(settings.other() + " does not answer (" + DatabaseFaults.words(silent)
-                        + ") and may have gone on with the session. If it has not, and is off: crw pair alone");
+                        + ") and may have gone on with the session. If it has not, and is off: crw pair alone; if it"
+                        + " has another address: crw pair address");
             }
         }
         return Part.DATABASE;

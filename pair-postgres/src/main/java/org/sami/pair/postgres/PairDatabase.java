@@ -72,6 +72,14 @@ public final class PairDatabase {
         }
     }
 
+    /** Has it read its settings and its access list again; connections go on. */
+    void reload() throws IOException {
+        run(
+                "the database of this base does not read its settings again",
+                QUICK_SECONDS,
+                List.of("pg_ctl", "reload", "--pgdata=" + folder.data()));
+    }
+
     /** Stops it; connections are cut. */
     public void stop() throws IOException {
         run(

@@ -131,13 +131,24 @@ public final class PairFolder {
                 passwords(),
                 "*:*:*:" + Roles.ADMIN + ":" + secrets.admin() + "\n*:*:*:" + Roles.SESSION + ":" + secrets.session()
                         + "\n*:*:*:" + Roles.REPLICA + ":" + secrets.replica() + "\n");
+        write(settings, programs);
+    }
+
+    private void write(PairSettings settings, @Nullable Path programs) throws IOException {
         Properties values = new Properties();
         values.setProperty("here", settings.here());
         values.setProperty("other", settings.other());
         values.setProperty("port", Integer.toString(settings.port()));
         values.setProperty("when-cut", settings.whenCut().text());
-        values.setProperty("postgres", programs.toString());
+        if (programs != null) {
+            values.setProperty("postgres", programs.toString());
+        }
         PrivateFile.write(folder.resolve(SETTINGS), text(values));
+    }
+
+    /** Replaces the settings of a pair that is here. */
+    void replace(PairSettings settings) throws IOException {
+        write(settings, programs().orElse(null));
     }
 
     static String text(Properties values) throws IOException {

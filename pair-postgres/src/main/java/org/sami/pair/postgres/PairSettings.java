@@ -13,7 +13,6 @@ import java.util.regex.Pattern;
 public record PairSettings(String here, String other, int port, WhenCut whenCut) {
     private static final Pattern HOST = Pattern.compile("[A-Za-z0-9.:-]+");
     private static final Pattern LOOPBACK = Pattern.compile("127\\.\\d+\\.\\d+\\.\\d+|::1|localhost");
-    private static final Pattern IPV4 = Pattern.compile("(\\d{1,3}\\.){3}\\d{1,3}");
     private static final int MOST_PORT = 65_535;
 
     public PairSettings {
@@ -38,6 +37,11 @@ public record PairSettings(String here, String other, int port, WhenCut whenCut)
         return new PairSettings(/* here= */ other, /* other= */ here, port, whenCut);
     }
 
+    /** The same pair where its bases have other addresses. */
+    PairSettings at(String newHere, String newOther) {
+        return new PairSettings(newHere, newOther, port, whenCut);
+    }
+
     /** Where this machine's programs reach its own database. */
     String loopback() {
         return LOOPBACK.matcher(here).matches() ? here : "127.0.0.1";
@@ -46,13 +50,5 @@ public record PairSettings(String here, String other, int port, WhenCut whenCut)
     /** At which addresses the database listens. */
     String listenAt() {
         return here.equals(loopback()) ? here : loopback() + "," + here;
-    }
-
-    /** How PostgreSQL's list of who may connect names a machine. */
-    static String inAccessList(String host) {
-        if (host.contains(":")) {
-            return host + "/128";
-        }
-        return IPV4.matcher(host).matches() ? host + "/32" : host;
     }
 }

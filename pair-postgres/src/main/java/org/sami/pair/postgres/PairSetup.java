@@ -126,27 +126,7 @@ public final class PairSetup {
             Files.deleteIfExists(password);
         }
         Files.writeString(folder.data().resolve("postgresql.conf"), SETTINGS, StandardOpenOption.APPEND);
-        Files.writeString(folder.data().resolve("pg_hba.conf"), access());
-    }
-
-    private String access() {
-        StringBuilder lines = new StringBuilder("# Of a pair of bases (SAMI)\nhost all all 127.0.0.0/8 scram-sha-256\n"
-                + "host replication " + Roles.REPLICA + " 127.0.0.0/8 scram-sha-256\n");
-        for (String host : List.of(settings.here(), settings.other())) {
-            String machine = PairSettings.inAccessList(host);
-            lines.append("hostssl ")
-                    .append(Roles.DATABASE)
-                    .append(' ')
-                    .append(Roles.SESSION)
-                    .append(' ')
-                    .append(machine);
-            lines.append(" scram-sha-256\nhostssl replication ")
-                    .append(Roles.REPLICA)
-                    .append(' ')
-                    .append(machine);
-            lines.append(" scram-sha-256\n");
-        }
-        return lines.toString();
+        new AccessList(folder.data()).write(settings);
     }
 
     private void makeRoles(PairSecrets secrets) throws IOException {
@@ -179,28 +159,21 @@ public final class PairSetup {
         }
     }
 
-    /** A value in the words by which PostgreSQL's programs connect. */
-    private static String quoted(Path value) {
-        return "'" + value.toString().replace("\\", "\\\\").replace("'", "\\'") + "'";
-    }
-
     /** Copies the other base's database as it is now into a folder that is not there, as its replica. */
     private void copyFromOther(Path data) throws IOException {
-        String source = "host=" + settings.other() + " port=" + settings.port() + " user=" + Roles.REPLICA
-                + " sslmode=verify-ca sslrootcert=" + quoted(folder.certificate()) + " passfile="
-                + quoted(folder.passwords()) + " connect_timeout=5";
+        PairConnections connections = new PairConnections(folder, settings);
         run(
                 "the database of " + settings.other() + " cannot be copied",
                 COPY_SECONDS,
                 List.of(
                         "pg_basebackup",
-                        "--dbname=" + source,
+                        "--dbname=" + connections.source(),
                         "--pgdata=" + data,
                         "--wal-method=stream",
                         "--checkpoint=fast"));
         Files.writeString(
                 data.resolve("postgresql.auto.conf"),
-                "primary_conninfo = '" + (source + " application_name=" + StandbySign.NAME).replace("'", "''") + "'\n");
+                Replication.SOURCE + " = '" + connections.sourceOfReplica().replace("'", "''") + "'\n");
         Files.writeString(data.resolve("standby.signal"), "");
     }
 

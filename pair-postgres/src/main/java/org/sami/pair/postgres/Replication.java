@@ -9,6 +9,9 @@ import org.sami.journal.postgres.Connections;
 
 /** What a database of a pair says of itself, and the one thing that is changed while it runs: whether it waits for its standby. */
 final class Replication {
+    /** The setting that says which database a replica follows. */
+    static final String SOURCE = "primary_conninfo";
+
     private Replication() {}
 
     /** Whether the database is a replica. */
@@ -51,6 +54,22 @@ final class Replication {
                     ? new StandbyState(true, rows.getBoolean(1), rows.getLong(2), watched, ended)
                     : new StandbyState(false, false, 0, watched, ended);
         }
+    }
+
+    /** Whether a replica gets entries from the database that it follows. */
+    static boolean isFollowing(Connection replica) throws SQLException {
+        return isTrue(Connections.text(replica, "SELECT bool_or(status = 'streaming') FROM pg_stat_wal_receiver"));
+    }
+
+    /**
+     * Has a replica follow the database at another address, from what it has on.
+     *
+     * @param admin a connection of {@link Roles#ADMIN}
+     * @param source in the words of {@link PairConnections#sourceOfReplica}
+     */
+    static void follow(Connection admin, String source) throws SQLException {
+        Connections.run(admin, "ALTER SYSTEM SET " + SOURCE + " = '" + source.replace("'", "''") + "'");
+        Connections.run(admin, "SELECT pg_reload_conf()");
     }
 
     /** When the last change that a replica has was made, by the clock of the database that it follows, and how long ago that is by this one's; empty where there is none. */

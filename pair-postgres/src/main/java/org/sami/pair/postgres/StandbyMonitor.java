@@ -23,7 +23,7 @@ public final class StandbyMonitor implements AutoCloseable {
     private static final long ASK_MILLIS = 2000;
 
     private final PairConnections connections;
-    private final PairSettings settings;
+    private final WhenCut whenCut;
     private final Clock clock;
     private final Path log;
     private final BiConsumer<Protection, LocalTime> listener;
@@ -36,7 +36,8 @@ public final class StandbyMonitor implements AutoCloseable {
 
     private StandbyMonitor(PairFolder folder, Clock clock, BiConsumer<Protection, LocalTime> listener)
             throws PairException {
-        this.settings = folder.settings();
+        PairSettings settings = folder.settings();
+        this.whenCut = settings.whenCut();
         this.connections = new PairConnections(folder, settings);
         this.log = folder.log();
         this.clock = clock;
@@ -89,7 +90,7 @@ public final class StandbyMonitor implements AutoCloseable {
         }
         boolean waits = Replication.waitsForStandby(used);
         StandbyState look = Replication.standby(used);
-        switch (PairRule.next(settings.whenCut(), waits, look)) {
+        switch (PairRule.next(whenCut, waits, look)) {
             case PROTECT -> {
                 Replication.setWaitsForStandby(used, true);
                 waits = true;
@@ -106,7 +107,7 @@ public final class StandbyMonitor implements AutoCloseable {
             replaced = true;
             say(new Protection(
                     Protection.State.REPLACED,
-                    settings.other() + " took the session over: this base ends with it",
+                    other() + " took the session over: this base ends with it",
                     "This base comes back as the standby by 'crw pair rejoin'"));
         }
     }
@@ -133,24 +134,27 @@ public final class StandbyMonitor implements AutoCloseable {
             return new Protection(
                     Protection.State.ALONE,
                     "alone, " + why + ": what this base writes is on this machine only",
-                    "Once 'crw serve --pair' runs on " + settings.other() + ", the session is protected again");
+                    "Once 'crw serve --pair' runs on " + other() + ", the session is protected again");
         }
         if (look.isConnected() && !look.isWatched()) {
             return new Protection(
                     Protection.State.COPIED,
-                    "copied: " + settings.other()
-                            + " has all that is confirmed, but nobody waits there to go on with it",
-                    "On " + settings.other() + ": crw serve --pair");
+                    "copied: " + other() + " has all that is confirmed, but nobody waits there to go on with it",
+                    "On " + other() + ": crw serve --pair");
         }
         if (look.isConnected()) {
             return new Protection(
-                    Protection.State.PROTECTED, "protected: " + settings.other() + " has all that is confirmed", "");
+                    Protection.State.PROTECTED, "protected: " + other() + " has all that is confirmed", "");
         }
         return new Protection(
                 Protection.State.SILENT,
-                "nothing comes from " + settings.other()
+                "nothing comes from " + other()
                         + ", which may go on with the session: this base stops commanding until it answers",
-                "If " + settings.other() + " is off, here: crw pair alone");
+                "If " + other() + " is off, here: crw pair alone; if it has another address: crw pair address");
+    }
+
+    private String other() {
+        return connections.settings().other();
     }
 
     private void say(Protection now) {

@@ -139,8 +139,8 @@ class PairTest {
 
     @Test
     void aNameThatEndsInADigitIsNoAddress() {
-        assertThat(PairSettings.inAccessList("laptop-2")).isEqualTo("laptop-2");
-        assertThat(PairSettings.inAccessList("10.0.0.6")).isEqualTo("10.0.0.6/32");
+        assertThat(AccessList.machine("laptop-2")).isEqualTo("laptop-2");
+        assertThat(AccessList.machine("10.0.0.6")).isEqualTo("10.0.0.6/32");
     }
 
     @Test

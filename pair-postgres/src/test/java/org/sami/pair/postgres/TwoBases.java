@@ -19,6 +19,9 @@ final class TwoBases implements AutoCloseable {
 
     final String secondAddress;
 
+    /** One that no base has yet. */
+    final String newAddress;
+
     private final Path root;
     final PairFolder first;
     final PairFolder second;
@@ -33,9 +36,10 @@ final class TwoBases implements AutoCloseable {
         second = new PairFolder(root.resolve("second"));
         long process = ProcessHandle.current().pid();
         String network = "127." + (100 + process % 100) + "." + process / 100 % 250 + ".";
-        int number = 2 * MADE.incrementAndGet();
+        int number = 3 * MADE.incrementAndGet();
         firstAddress = network + number;
         secondAddress = network + (number + 1);
+        newAddress = network + (number + 2);
     }
 
     /** Both, the second a replica. */

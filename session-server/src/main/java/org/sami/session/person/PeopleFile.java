@@ -75,7 +75,8 @@ public final class PeopleFile implements People {
     public synchronized void add(Person person) throws IOException {
         List<Person> people = new ArrayList<>(all());
         if (people.stream().anyMatch(one -> one.name().equals(person.name()))) {
-            throw new IllegalArgumentException(person.name() + " is listed already; remove that entry first");
+            throw new IllegalArgumentException(
+                    person.name() + " is listed already; 'crw people role' changes the role");
         }
         people.add(person);
         write(people);
@@ -90,9 +91,34 @@ public final class PeopleFile implements People {
     public synchronized void remove(String name) throws IOException {
         List<Person> people = new ArrayList<>(all());
         if (!people.removeIf(one -> one.name().equals(name))) {
-            throw new IllegalArgumentException("nobody here is named '" + name + "'");
+            throw nobody(name);
         }
         write(people);
+    }
+
+    /**
+     * Gives somebody another role and other decisions; the key stays. Running sessions follow within a second.
+     *
+     * @param decisions the types of decisions that are theirs; empty for those of the role
+     * @return the person before
+     * @throws IllegalArgumentException in words, if there is nobody of that name
+     * @throws IOException if the file cannot be read or written
+     */
+    public synchronized Person change(String name, PersonRole role, List<String> decisions) throws IOException {
+        List<Person> people = new ArrayList<>(all());
+        for (int i = 0; i < people.size(); i++) {
+            Person before = people.get(i);
+            if (before.name().equals(name)) {
+                people.set(i, new Person(name, role, decisions, before.keyHash()));
+                write(people);
+                return before;
+            }
+        }
+        throw nobody(name);
+    }
+
+    private static IllegalArgumentException nobody(String name) {
+        return new IllegalArgumentException("nobody here is named '" + name + "'");
     }
 
     private void write(List<Person> people) throws IOException {

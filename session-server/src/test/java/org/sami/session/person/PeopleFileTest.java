@@ -78,4 +78,20 @@ class PeopleFileTest {
         assertThat(people.login("anna", "one")).isEmpty();
         assertThatThrownBy(people::all).hasMessageContaining("cannot be read");
     }
+
+    @Test
+    void personOfAnotherRoleKeepsKeyAndPlaceAndIsPresentWithTheNewRights() throws Exception {
+        PeopleFile people = new PeopleFile(folder.resolve("people"));
+        Person before = new Person("anna", PersonRole.PILOT, List.of("OperatorApprove"), PersonKey.hash("one"));
+        people.add(before);
+        people.add(new Person("ben", PersonRole.OBSERVER, List.of(), PersonKey.hash("two")));
+
+        assertThat(people.change("anna", PersonRole.OPERATOR, List.of())).isEqualTo(before);
+
+        Person now = new Person("anna", PersonRole.OPERATOR, List.of(), before.keyHash());
+        assertThat(people.present(before)).contains(now);
+        assertThat(people.all().get(0)).isEqualTo(now);
+        assertThatThrownBy(() -> people.change("carl", PersonRole.PILOT, List.of()))
+                .hasMessageContaining("nobody here is named 'carl'");
+    }
 }

@@ -19,8 +19,16 @@ public final class JournalFollower implements AutoCloseable {
 
     private final JournalAddress address;
     private final int mostTelemetry;
+    private final Reading reading;
     private Optional<JournalReader> reader = Optional.empty();
     private Optional<Applied> applied = Optional.empty();
+
+    /** How the journal is read. */
+    @FunctionalInterface
+    interface Reading {
+        /** Opens it to read what is not known of it. */
+        JournalReader open(Optional<JournalPart> known) throws JournalException;
+    }
 
     /** How far the journal has been applied. */
     private static final class Applied {
@@ -50,12 +58,13 @@ public final class JournalFollower implements AutoCloseable {
 
     /** A follower that has read nothing yet. */
     public JournalFollower(JournalAddress address) {
-        this(address, MOST_TELEMETRY);
+        this(address, MOST_TELEMETRY, address::read);
     }
 
-    JournalFollower(JournalAddress address, int mostTelemetry) {
+    JournalFollower(JournalAddress address, int mostTelemetry, Reading reading) {
         this.address = address;
         this.mostTelemetry = mostTelemetry;
+        this.reading = reading;
     }
 
     /**
@@ -85,7 +94,7 @@ public final class JournalFollower implements AutoCloseable {
     }
 
     private JournalReader open() throws JournalException {
-        JournalReader opened = address.read(applied.map(earlier -> earlier.entries));
+        JournalReader opened = reading.open(applied.map(earlier -> earlier.entries));
         if (!opened.goesOn()) {
             applied = Optional.empty();
         }

@@ -9,12 +9,14 @@ import java.sql.Connection;
 import java.sql.DriverManager;
 import java.sql.ResultSet;
 import java.sql.Statement;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -59,8 +61,8 @@ class JournalFollowerTest {
         words.put(
                 "events.json",
                 "{\"events\": [{\"name\": \"Go\", \"direction\": \"output\", \"label\": \"Go\", \"help\": \"Goes.\","
-                        + " \"answers\": [\"Went\"]}, {\"name\": \"Went\", \"direction\": \"input\", \"label\": \"Went\","
-                        + " \"help\": \"Went.\"}]}");
+                    + " \"answers\": [\"Went\"]}, {\"name\": \"Went\", \"direction\": \"input\", \"label\": \"Went\","
+                    + " \"help\": \"Went.\"}]}");
         return words;
     }
 
@@ -212,10 +214,36 @@ class JournalFollowerTest {
         }
     }
 
+    /** As where a replica that had not got the newest entries becomes the database. */
+    @Test
+    void whatWasAppliedBeforeACutAndIsGoneAfterItIsNotGoneOnFrom() throws Exception {
+        Queue<Connection> cut = new ArrayDeque<>();
+        JournalFollower.Reading reading =
+                known -> cut.isEmpty() ? address.read(known) : JournalReader.over("it", cut.remove(), known);
+        try (JournalFollower follower = new JournalFollower(address, 100, reading)) {
+            write(5, new Random(2));
+            follower.follow();
+            write(5, new Random(3));
+            cut.add(CutWhileRead.after(2, address));
+            assertThatThrownBy(follower::follow).hasMessageContaining("the connection was cut");
+            assertThat(follower.applied()).isEqualTo(7);
+            alter("DELETE FROM entries WHERE idx > 5", 5);
+
+            follower.follow();
+
+            assertThat(follower.applied()).isEqualTo(5);
+            try (JournalReader cold = address.read();
+                    JournalReader warm = address.read(follower.part())) {
+                assertThat(StateCodec.encode(warm.stateAt(5, engine)))
+                        .isEqualTo(StateCodec.encode(cold.stateAt(5, engine)));
+            }
+        }
+    }
+
     @Test
     void moreTelemetryThanMayBeInMemoryIsLeftToWhoeverGoesOn() throws Exception {
         Random random = new Random(5);
-        try (JournalFollower follower = new JournalFollower(address, 3)) {
+        try (JournalFollower follower = new JournalFollower(address, 3, address::read)) {
             for (int row = 1; row <= 5; row++) {
                 write(1, random);
                 follower.follow();

@@ -12,6 +12,7 @@ import picocli.CommandLine.Command;
             InitPairCommand.class,
             JoinPairCommand.class,
             PairStatusCommand.class,
+            MovePairCommand.class,
             GoAloneCommand.class,
             RejoinPairCommand.class,
             StopPairCommand.class,
@@ -34,12 +35,13 @@ import picocli.CommandLine.Command;
             "  crw pair join sami-pair.invitation   on the second, with the file that the first wrote",
             "  crw serve --pair                     on both: the first has the session, the second stands by",
             "  crw pair status",
+            "  crw pair address 10.0.1.6            on both, in another network: 10.0.1.6 is the other one now",
             "  crw take-over                        on the second, if it is to go on with the session now",
             "  crw pair rejoin                      on the first, once it was replaced: it stands by then"
         })
 public final class BasePairCommand implements Runnable {
     @Override
     public void run() {
-        throw new UsageFault("Which command? One of init, join, status, alone, rejoin, stop, leave.");
+        throw new UsageFault("Which command? One of init, join, status, address, alone, rejoin, stop, leave.");
     }
 }

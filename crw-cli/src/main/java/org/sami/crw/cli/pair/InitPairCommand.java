@@ -2,9 +2,6 @@ package org.sami.crw.cli.pair;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.net.DatagramSocket;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -35,7 +32,6 @@ import picocli.CommandLine.Spec;
         description = "Makes the database of a new pair on this base, and the file by which the second base joins it.")
 final class InitPairCommand implements Callable<Integer> {
     private static final int PEM_LINE = 64;
-    private static final int ANY_PORT = 9;
 
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
@@ -82,7 +78,7 @@ final class InitPairCommand implements Callable<Integer> {
             throw new UsageFault(invitation + " is there already; choose another file by --invitation");
         }
         PairSettings settings = UsageFault.of(() ->
-                new PairSettings(here == null ? addressTowards(other) : here, other, port, WhenCut.parse(whenCut)));
+                new PairSettings(here == null ? OwnAddress.towards(other) : here, other, port, WhenCut.parse(whenCut)));
         PairSecrets secrets = secrets();
         PairSetup.make(folder.folder(), programs.programs(), settings, secrets);
         new Invitation(settings.seenByOther(), secrets).write(invitation);
@@ -93,16 +89,6 @@ final class InitPairCommand implements Callable<Integer> {
                 + invitation.getFileName());
         out.println("whoever has that file can read and write the session: delete it once it was used");
         return ExitCode.OK;
-    }
-
-    private static String addressTowards(String other) {
-        try (DatagramSocket socket = new DatagramSocket()) {
-            socket.connect(new InetSocketAddress(InetAddress.getByName(other), ANY_PORT)); // sends nothing
-            return socket.getLocalAddress().getHostAddress();
-        } catch (IOException | java.io.UncheckedIOException unreached) {
-            throw new IllegalArgumentException(
-                    "this base has no way to " + other + " (" + unreached.getMessage() + "); --here names its address");
-        }
     }
 
     private static PairSecrets secrets() {

@@ -47,6 +47,37 @@ class PeopleCommandTest {
     }
 
     @Test
+    void anotherRoleIsGivenWithoutAnotherKey() throws Exception {
+        CommandResult.crw(
+                "people", "add", "ben", "--role", "pilot", "--decisions", "OperatorApprove", "--people", list());
+        String before = Files.readString(folder.resolve("people"));
+
+        CommandResult changed = CommandResult.crw("people", "role", "ben", "operator", "--people", list());
+
+        assertThat(changed.exitCode()).isZero();
+        assertThat(changed.out()).isEqualToIgnoringNewLines("ben is operator; before: pilot  OperatorApprove");
+        assertThat(CommandResult.crw("people", "list", "--people", list()).out())
+                .isEqualToIgnoringNewLines("ben  operator");
+        CommandResult.crw("people", "role", "ben", "pilot", "--decisions", "OperatorApprove", "--people", list());
+        assertThat(folder.resolve("people")).hasContent(before);
+    }
+
+    @Test
+    void unknownRolesAndPeopleAreNotChanged() throws Exception {
+        CommandResult.crw("people", "add", "ben", "--role", "pilot", "--people", list());
+
+        CommandResult role = CommandResult.crw("people", "role", "ben", "captain", "--people", list());
+        CommandResult name = CommandResult.crw("people", "role", "carl", "pilot", "--people", list());
+
+        assertThat(role.exitCode()).isEqualTo(2);
+        assertThat(role.err()).contains("ROLE: 'captain' is none of operator, pilot, observer");
+        assertThat(name.exitCode()).isEqualTo(2);
+        assertThat(name.err()).contains("nobody here is named 'carl'");
+        assertThat(CommandResult.crw("people", "list", "--people", list()).out())
+                .isEqualToIgnoringNewLines("ben  pilot");
+    }
+
+    @Test
     void serverRefusesAListThatIsNotThere() {
         CommandResult served = CommandResult.crw("serve", "--port", "0", "--people", list());
 

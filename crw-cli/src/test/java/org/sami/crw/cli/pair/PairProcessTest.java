@@ -91,4 +91,27 @@ class PairProcessTest {
             assertThat(pair.run(0, "pair", "status")).contains("database of the session, alone");
         }
     }
+
+    @Test
+    void basesThatAreToldTheirOtherAddressesAreAPairAgainWithTheirSession() throws Exception {
+        try (TwoNetworks networks = new TwoNetworks();
+                PairedProcesses pair = PairedProcesses.inNetworks(folder, networks);
+                CrwProcess first = pair.serve(0)) {
+            await(first, SERVES);
+            networks.giveOtherAddresses();
+
+            assertThat(pair.run(0, "pair", "address", TwoNetworks.SECOND_LATER))
+                    .contains("this base is " + TwoNetworks.FIRST_LATER)
+                    .contains("does not answer; once it is in this network, there: crw pair address "
+                            + TwoNetworks.FIRST_LATER);
+            assertThat(pair.run(1, "pair", "address", TwoNetworks.FIRST_LATER))
+                    .contains("the bases are connected: nothing more is to be done");
+
+            try (CrwProcess second = pair.serve(1)) {
+                await(second, READY);
+                await(first, "pair: protected: " + TwoNetworks.SECOND_LATER);
+            }
+            assertThat(first.isAlive()).isTrue();
+        }
+    }
 }

@@ -13,6 +13,11 @@ final class TwoNetworks implements AutoCloseable {
     static final String FIRST_ADDRESS = "10.77.0.1";
     static final String SECOND_ADDRESS = "10.77.0.2";
 
+    /** What they are after {@link #giveOtherAddresses}. */
+    static final String FIRST_LATER = "10.89.74.5";
+
+    static final String SECOND_LATER = "10.89.74.6";
+
     private static final String NOBODYS = "02:00:00:00:00:99";
 
     private final String first = "sami-a-" + ProcessHandle.current().pid();
@@ -38,6 +43,14 @@ final class TwoNetworks implements AutoCloseable {
 
     List<String> inSecond() {
         return List.of("ip", "netns", "exec", second);
+    }
+
+    /** Gives both other addresses, as another network does. */
+    void giveOtherAddresses() throws IOException, InterruptedException {
+        must("-n", first, "addr", "flush", "dev", "va");
+        must("-n", second, "addr", "flush", "dev", "vb");
+        must("-n", first, "addr", "add", FIRST_LATER + "/24", "dev", "va");
+        must("-n", second, "addr", "add", SECOND_LATER + "/24", "dev", "vb");
     }
 
     /** What the first sends is lost from now on: it goes to a card that nobody has. */

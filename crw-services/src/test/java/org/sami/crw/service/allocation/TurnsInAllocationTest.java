@@ -145,4 +145,21 @@ class TurnsInAllocationTest {
 
         assertThat(now.size()).isBetween(1, before.size() - 1);
     }
+
+    /** What a search without turns has measured is no work of the auction with turns. */
+    @Test
+    void auctionWithTurnsGoesToItsOwnLimitWhateverTheSearchHasMeasured() {
+        AllocationProblem problem = new AllocationScene(3, 40, false, true, 5).problem();
+        AllocationProblem wide = new AllocationProblem(
+                problem.boats().stream().map(boat -> boat.turningIn(12)).toList(), problem.work());
+        TravelCosts alone = new TravelCosts(wide);
+        new SequentialSingleItemAuction().shares(wide, alone);
+        TravelCosts justEnough = new TravelCosts(wide);
+        justEnough.count(SequentialSingleItemAuction.LIMIT - alone.measured());
+
+        new BalancedDivision().shares(wide, justEnough);
+
+        assertThat(justEnough.measured()).isGreaterThan(SequentialSingleItemAuction.LIMIT);
+        assertThat(justEnough.shortfall()).isEmpty();
+    }
 }

@@ -1,0 +1,195 @@
+package org.sami.pair.postgres;
+
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.sql.Connection;
+import java.sql.SQLException;
+import java.util.concurrent.TimeUnit;
+import org.sami.journal.postgres.DatabaseFaults;
+
+/**
+ * Gives the bases of a pair other addresses, as in another network. Each base is told on its own: it lets the other in from there, looks for it there and follows it there from what it has on, so that
+ * nothing is copied anew. The certificate of a pair names no machine, and stays. For one thread.
+ */
+public final class PairMove {
+    private static final int ANSWER_MILLIS = 1000;
+    private static final int LOOKS = 40;
+    private static final long LOOK_MILLIS = 250;
+    private static final String LOGIN_REFUSED = "28"; // how SQL states of refused logins begin
+
+    private final PairFolder folder;
+    private final PairSettings before;
+    private final PairSettings after;
+    private final PairConnections connections;
+
+    /** How the bases stand after a change. */
+    public enum Link {
+        /** One of both follows the other. */
+        CONNECTED,
+        /** The other base lets this one in, and does not know its address yet, or does not follow for another reason. */
+        ANSWERS,
+        /** The other base took the session over from this one. */
+        REPLACED_HERE,
+        /** This base took the session over from the other. */
+        REPLACED_THERE,
+        /** The other base does not let this one in from its new address. */
+        REFUSED,
+        /** No database of this pair answers there. */
+        SILENT
+    }
+
+    /**
+     * What has been changed.
+     *
+     * @param hasRestarted whether this base's database was away for a moment, as it listens at another address now
+     */
+    public record Change(PairSettings before, PairSettings after, boolean hasRestarted, Link link) {}
+
+    private PairMove(PairFolder folder, PairSettings before, PairSettings after) {
+        this.folder = folder;
+        this.before = before;
+        this.after = after;
+        connections = new PairConnections(folder, after);
+    }
+
+    /**
+     * Changes the addresses as this base sees them. A base that serves the pair's session meanwhile follows by itself; the same call again completes one that was interrupted.
+     *
+     * @param here address or name of this base, as the other reaches it
+     * @param other address or name of the other base
+     * @throws PairException if that cannot be, or would cut bases that are connected; nothing was changed then
+     * @throws IllegalArgumentException in words, if one is no address
+     */
+    public static Change to(PairFolder folder, String here, String other) throws IOException {
+        PairSettings before = folder.settings();
+        PairMove move = new PairMove(folder, before, before.at(here, other));
+        move.checkIsHere();
+        PairDatabase database = new PairDatabase(folder, Programs.of(folder), move.after);
+        if (database.isRunning()) {
+            move.checkDoesNotCut();
+        }
+        new AccessList(folder.data()).replace(move.after);
+        folder.replace(move.after);
+        boolean restarted = move.listen(database);
+        move.follow();
+        return new Change(before, move.after, restarted, move.link());
+    }
+
+    /** A database that listens nowhere does not start. */
+    private void checkIsHere() throws PairException {
+        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getByName(after.here()))) {
+            assert free.isBound();
+        } catch (IOException elsewhere) {
+            throw new PairException(
+                    after.here() + " is no address of this machine (" + elsewhere.getMessage()
+                            + "): --here names it; nothing was changed",
+                    elsewhere);
+        }
+    }
+
+    /** A mistyped address would end the protection of a session. */
+    private void checkDoesNotCut() throws PairException {
+        if (after.other().equals(before.other())) {
+            return;
+        }
+        boolean connected;
+        try (Connection own = new PairConnections(folder, before).own()) {
+            connected = isConnected(own);
+        } catch (SQLException silent) {
+            return; // it is restarted
+        }
+        if (connected && look() == Link.SILENT) {
+            throw new PairException("the bases are connected by " + before.other() + ", and no database of this pair"
+                    + " answers at " + after.other() + "; nothing was changed. If the other base has that address: "
+                    + "there first, crw pair address " + after.here());
+        }
+    }
+
+    private static boolean isConnected(Connection own) throws SQLException {
+        return Replication.isReplica(own)
+                ? Replication.isFollowing(own)
+                : Replication.standby(own).isConnected();
+    }
+
+    /** Listens at the present address, and has read who may connect; whether it was restarted for that. */
+    private boolean listen(PairDatabase database) throws IOException {
+        if (!database.isRunning()) {
+            database.start();
+            return false;
+        }
+        if (answersHere()) {
+            database.reload();
+            return false;
+        }
+        database.stop();
+        database.start();
+        return true;
+    }
+
+    /** It does not either where it was started before the machine had the address. */
+    private boolean answersHere() {
+        try (Socket socket = new Socket()) {
+            socket.connect(new InetSocketAddress(after.here(), after.port()), ANSWER_MILLIS);
+            return true;
+        } catch (IOException silent) {
+            return false;
+        }
+    }
+
+    private void follow() throws PairException {
+        try (Connection admin = connections.asAdmin("postgres")) {
+            if (Replication.isReplica(admin)) {
+                Replication.follow(admin, connections.sourceOfReplica());
+            }
+        } catch (SQLException fault) {
+            throw new PairException("the database of this base: " + DatabaseFaults.words(fault), fault);
+        }
+    }
+
+    /** Waits a little for the bases to find one another. */
+    private Link link() throws IOException {
+        Link link = look();
+        for (int look = 0; look < LOOKS && link == Link.ANSWERS; look++) {
+            try (Connection own = connections.own()) {
+                if (isConnected(own)) {
+                    return Link.CONNECTED;
+                }
+                if (!Replication.isReplica(own)) {
+                    link = replaced(Replication.timeline(own));
+                }
+                TimeUnit.MILLISECONDS.sleep(LOOK_MILLIS);
+            } catch (SQLException fault) {
+                throw new PairException("the database of this base: " + DatabaseFaults.words(fault), fault);
+            } catch (InterruptedException stopped) {
+                Thread.currentThread().interrupt();
+                throw new InterruptedIOException("interrupted while waiting for the other base of a pair");
+            }
+        }
+        return link;
+    }
+
+    /** Whether one of both databases is there no longer as the other's replica. */
+    private Link replaced(int timeline) {
+        try (Connection other = connections.other()) {
+            if (Replication.isReplica(other)) {
+                return Link.ANSWERS;
+            }
+            return Replication.timeline(other) > timeline ? Link.REPLACED_HERE : Link.REPLACED_THERE;
+        } catch (SQLException silent) {
+            return Link.ANSWERS; // it did a moment ago
+        }
+    }
+
+    private Link look() {
+        try (Connection other = connections.other(after)) {
+            return other.isValid(ANSWER_MILLIS / 1000) ? Link.ANSWERS : Link.SILENT;
+        } catch (SQLException fault) {
+            String state = fault.getSQLState();
+            return state != null && state.startsWith(LOGIN_REFUSED) ? Link.REFUSED : Link.SILENT;
+        }
+    }
+}
