@@ -151,7 +151,7 @@ class RemoteWindowTest {
             assertThat(window.commands().get("mission-start").whyNot())
                     .contains("your role in this session, observer, may not start or end missions, or connect boats");
             assertThat(window.commands().get("boat-by-hand").whyNot().orElseThrow())
-                    .endsWith("may not drive boats");
+                    .endsWith("may not drive boats or fetch their logs");
             assertThat(window.commands().all())
                     .filteredOn(command -> command.whyNot().orElse("").startsWith("your role in this session, "))
                     .extracting(Command::id)
@@ -175,6 +175,7 @@ class RemoteWindowTest {
                             "address-give-up",
                             "boat-by-hand",
                             "boat-cancel-command",
+                            "logs-fetch",
                             "boat-set-heading",
                             "boat-set-speed",
                             "boat-set-velocity",

@@ -20,6 +20,7 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.explanation.MissionTitles;
+import org.sami.crw.proxy.file.BoatFiles;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
@@ -196,6 +197,19 @@ public final class Fleet implements FrontFleet {
     /** The boats that are known, as they are now. */
     public CompletionStage<List<BoatStatus>> boats() {
         return onFleet(boats -> boats.all().stream().map(BoatProxy::status).toList());
+    }
+
+    @Override
+    public CompletionStage<List<LinkedBoat>> linkedBoats() {
+        return links().thenApply(links -> links.stream()
+                .flatMap(link ->
+                        link.boatId().stream().map(boat -> new LinkedBoat(boat, BoatAddress.of(link.address()))))
+                .toList());
+    }
+
+    @Override
+    public BoatFiles files(LinkedBoat boat) {
+        return connector.files(boat.address());
     }
 
     /** How the links stand. */

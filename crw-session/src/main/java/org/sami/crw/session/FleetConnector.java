@@ -8,6 +8,7 @@ import org.sami.crw.area.OperatingArea;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.file.BoatFiles;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
@@ -52,6 +53,15 @@ public interface FleetConnector extends BoatConnector, AutoCloseable {
     /** How the links stand; empty where boats are reached without any. For the fleet's thread. */
     default List<LinkReport> linkReports() {
         return List.of();
+    }
+
+    /**
+     * The files that a boat keeps, over a link that is not open yet; from any thread.
+     *
+     * @throws IllegalStateException where boats are reached without links, and {@link #links} names none
+     */
+    default BoatFiles files(BoatAddress boat) {
+        throw new IllegalStateException("boats in this process keep no files");
     }
 
     /** The area in which the robots of a kind may go from now on, for vehicles that keep to a fence by themselves; from any thread. */

@@ -6,6 +6,7 @@ import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.proxy.file.BoatFiles;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.value.GeoPoint;
 
@@ -28,6 +29,12 @@ public interface FrontFleet {
 
     /** Why a boat moves or does not. */
     CompletionStage<BoatExplanation> why(String boat);
+
+    /** The boats that answer at an address, for {@link #files}. */
+    CompletionStage<List<LinkedBoat>> linkedBoats();
+
+    /** The files that a boat keeps, over a link that is not open yet. */
+    BoatFiles files(LinkedBoat boat);
 
     /** Takes the command of a boat, whoever had it before. */
     CompletionStage<Void> takeCommand(String boat);

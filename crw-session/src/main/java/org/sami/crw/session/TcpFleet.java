@@ -21,6 +21,8 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.file.BoatFileFetch;
+import org.sami.crw.proxy.file.BoatFileLink;
+import org.sami.crw.proxy.file.BoatFiles;
 import org.sami.crw.proxy.file.FileNews;
 import org.sami.crw.proxy.link.LinkAlarm;
 import org.sami.crw.proxy.tcp.BaseListener;
@@ -142,6 +144,11 @@ final class TcpFleet implements FleetConnector {
     @Override
     public void keepTo(OperatingArea area, RobotKind robots) {
         base().keepTo(area.fence(), area.noGo(), robots);
+    }
+
+    @Override
+    public BoatFiles files(BoatAddress boat) {
+        return new BoatFileLink(boat.toSocketAddress(), config.security());
     }
 
     @Override

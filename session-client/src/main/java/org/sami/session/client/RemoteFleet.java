@@ -2,8 +2,10 @@ package org.sami.session.client;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -15,8 +17,10 @@ import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.proxy.file.BoatFiles;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.FrontFleet;
+import org.sami.crw.session.LinkedBoat;
 import org.sami.crw.session.RefusedException;
 import org.sami.spn.value.GeoPoint;
 
@@ -24,10 +28,17 @@ import org.sami.spn.value.GeoPoint;
 final class RemoteFleet implements FrontFleet {
     private final ServerRequests server;
     private final Supplier<OperatorModels> models;
+    private final Supplier<Optional<TicketedBase>> holder;
     private final Set<String> claimed = ConcurrentHashMap.newKeySet();
 
-    RemoteFleet(ServerRequests server, Supplier<OperatorModels> models) {
+    /**
+     * Its boats.
+     *
+     * @param holder the base that gives their logs; from any thread
+     */
+    RemoteFleet(ServerRequests server, Supplier<OperatorModels> models, Supplier<Optional<TicketedBase>> holder) {
         this.server = server;
+        this.holder = holder;
         this.models = models;
     }
 
@@ -83,6 +94,23 @@ final class RemoteFleet implements FrontFleet {
                 .map(CompletableFuture::completedFuture)
                 .orElseGet(
                         () -> CompletableFuture.failedFuture(new RefusedException("there is no boat '" + boat + "'")));
+    }
+
+    @Override
+    public CompletionStage<List<LinkedBoat>> linkedBoats() {
+        return server.ask(ServerRequests.message("linkedBoats")).thenApply(done -> {
+            List<LinkedBoat> boats = new ArrayList<>();
+            done.path("links")
+                    .forEach(one -> boats.add(new LinkedBoat(
+                            one.path("boat").asText(),
+                            BoatAddress.parse(one.path("address").asText()))));
+            return boats;
+        });
+    }
+
+    @Override
+    public BoatFiles files(LinkedBoat boat) {
+        return new RemoteBoatFiles(boat, holder);
     }
 
     @Override

@@ -4,15 +4,10 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.io.Closeable;
 import java.io.IOException;
-import java.net.URLEncoder;
-import java.net.http.HttpClient;
-import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.CompletableFuture;
@@ -35,31 +30,16 @@ final class RemotePictures implements Closeable {
     private static final int MOST_WAITING = 200;
     private static final long MOST_BYTES = 32L << 20;
     private static final long AGAIN_MS = 2000;
-    private static final Duration LIMIT = Duration.ofMinutes(2); // of one picture
     private static final String FILE = "file";
 
-    private final ServerTrust trust;
     private final ScheduledExecutorService thread;
     private final SessionPictures folder = SessionPictures.temporary();
     private final Deque<Held> waiting = new ArrayDeque<>(); // the newest first
     private final Thread leftovers = new Thread(this::delete, "pictures of the session");
-    private String ticket = "";
-    private @Nullable Source source;
+    private @Nullable TicketedBase base;
     private boolean wanted;
     private boolean fetching;
     private boolean closed;
-
-    /** The base that has them. */
-    private record Source(SessionAddress address, HttpClient client) {
-        static Source of(SessionAddress address, ServerTrust trust) {
-            HttpClient.Builder builder = HttpClient.newBuilder();
-            return new Source(
-                    address,
-                    address.secure()
-                            ? builder.sslContext(trust.context(address)).build()
-                            : builder.build());
-        }
-    }
 
     /** A row that is held back. */
     private record Held(TelemetryRow row, JsonNode json, Consumer<TelemetryRow> then) {
@@ -73,8 +53,7 @@ final class RemotePictures implements Closeable {
      *
      * @param thread the link's
      */
-    RemotePictures(ServerTrust trust, ScheduledExecutorService thread) {
-        this.trust = trust;
+    RemotePictures(ScheduledExecutorService thread) {
         this.thread = thread;
     }
 
@@ -100,12 +79,9 @@ final class RemotePictures implements Closeable {
         return folder;
     }
 
-    /** With this ticket a base gives pictures, for as long as this connection to it lasts. */
-    void from(SessionAddress base, String now) {
-        if (source == null || !source.address().equals(base)) {
-            source = Source.of(base, trust);
-        }
-        ticket = now;
+    /** They come from this base from now on. */
+    void from(TicketedBase now) {
+        base = now;
         next();
     }
 
@@ -134,8 +110,8 @@ final class RemotePictures implements Closeable {
     }
 
     private void next() {
-        Source from = source;
-        if (!wanted || fetching || closed || from == null || ticket.isEmpty() || waiting.isEmpty()) {
+        TicketedBase from = base;
+        if (!wanted || fetching || closed || from == null || waiting.isEmpty()) {
             return;
         }
         Held one = waiting.removeFirst();
@@ -153,24 +129,19 @@ final class RemotePictures implements Closeable {
             return;
         }
         fetching = true;
-        String with = ticket;
         var unused = request(from, one, file.resolveSibling(file.getFileName() + ".part"))
                 .whenComplete((response, fault) -> execute(() -> {
                     fetching = false;
-                    arrived(one, file, with, response == null ? 0 : response.statusCode());
+                    arrived(one, file, from, response == null ? 0 : response.statusCode());
                 }));
     }
 
-    private CompletableFuture<HttpResponse<Path>> request(Source from, Held one, Path part) {
-        String query = "boat=" + encoded(one.row().proxy()) + "&panorama=" + encoded(one.text("panorama")) + "&name="
-                + encoded(one.text("name"));
-        HttpRequest request = HttpRequest.newBuilder(from.address().page("picture?" + query))
-                .header("Authorization", "Bearer " + ticket)
-                .timeout(LIMIT)
-                .build();
+    private CompletableFuture<HttpResponse<Path>> request(TicketedBase from, Held one, Path part) {
+        String query = "boat=" + TicketedBase.encoded(one.row().proxy()) + "&panorama="
+                + TicketedBase.encoded(one.text("panorama")) + "&name=" + TicketedBase.encoded(one.text("name"));
         return from.client()
                 .sendAsync(
-                        request,
+                        from.request("picture?" + query),
                         response -> response.statusCode() == 200
                                         && response.headers()
                                                         .firstValueAsLong("Content-Length")
@@ -180,12 +151,8 @@ final class RemotePictures implements Closeable {
                                 : HttpResponse.BodySubscribers.replacing(part));
     }
 
-    private static String encoded(String text) {
-        return URLEncoder.encode(text, StandardCharsets.UTF_8);
-    }
-
     /** A lost connection, a ticket that counts no longer and a busy server are no reason to give up. */
-    private void arrived(Held one, Path file, String with, int status) {
+    private void arrived(Held one, Path file, TicketedBase from, int status) {
         if (closed) {
             return;
         }
@@ -203,7 +170,7 @@ final class RemotePictures implements Closeable {
             next();
         } else {
             waiting.addFirst(one);
-            if (ticket.equals(with)) {
+            if (from.equals(base)) {
                 var unused = thread.schedule(this::next, AGAIN_MS, TimeUnit.MILLISECONDS);
             } else {
                 next();

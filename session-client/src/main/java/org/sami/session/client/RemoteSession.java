@@ -55,7 +55,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
     private final Executor front;
     private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(named("session link"));
     private final ExecutorService computing = Executors.newSingleThreadExecutor(named("map"));
-    private final RemoteFleet fleet = new RemoteFleet(this::ask, this::models);
+    private final RemoteFleet fleet = new RemoteFleet(this::ask, this::models, this::holder);
     private final SessionFollower follower;
     private final AtomicBoolean closed = new AtomicBoolean();
 
@@ -129,6 +129,10 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
     /** What that person may do, as its server said last. */
     public PersonRights rights() {
         return follower.rights();
+    }
+
+    private Optional<TicketedBase> holder() {
+        return follower.holder();
     }
 
     private FollowedSession followed() {

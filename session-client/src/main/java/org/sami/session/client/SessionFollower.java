@@ -14,6 +14,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.operator.FollowFeed;
 import org.sami.crw.session.RefusedException;
 import org.sami.spn.json.UnreadableJsonException;
@@ -32,10 +33,12 @@ final class SessionFollower implements LinkListener {
     private final CompletableFuture<SessionCopy> shown = new CompletableFuture<>(); // with the rows of its boats
     private final SessionLink link;
     private final RemotePictures pictures;
+    private final ServerTrust trust;
     private Optional<LocalTime> seen = Optional.empty();
     private boolean away;
     private String said = "";
     private volatile SessionAddress base;
+    private volatile @Nullable TicketedBase holder; // null before the first login
     private volatile PersonRights rights = new PersonRights("", Set.of());
 
     /**
@@ -61,7 +64,8 @@ final class SessionFollower implements LinkListener {
         this.disconnected = disconnected;
         base = bases.get(0);
         link = new SessionLink(bases, login, trust, this, thread);
-        pictures = new RemotePictures(trust, thread);
+        this.trust = trust;
+        pictures = new RemotePictures(thread);
     }
 
     /** Connects, and keeps at it. */
@@ -95,6 +99,11 @@ final class SessionFollower implements LinkListener {
         return base;
     }
 
+    /** The base that held the session last, for what comes over HTTP; empty before the first login. From any thread. */
+    Optional<TicketedBase> holder() {
+        return Optional.ofNullable(holder);
+    }
+
     /** What the person may do, as its server said last. From any thread. */
     PersonRights rights() {
         return rights;
@@ -104,7 +113,13 @@ final class SessionFollower implements LinkListener {
     public void welcomed(JsonNode message) {
         base = link.base();
         take(PersonRights.of(message), copy().isPresent());
-        pictures.from(base, message.path("ticket").asText());
+        String ticket = message.path("ticket").asText();
+        TicketedBase before = holder;
+        TicketedBase now = before != null && before.address().equals(base)
+                ? before.with(ticket)
+                : TicketedBase.of(base, trust, ticket);
+        holder = now;
+        pictures.from(now);
         ObjectNode follow = ServerRequests.message("follow");
         copy().filter(known -> !known.id().isEmpty())
                 .ifPresent(known -> follow.put("session", known.id()).put("after", known.reached()));

@@ -1,9 +1,11 @@
 package org.sami.session.server;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import org.sami.crw.judgement.Judgement;
+import org.sami.crw.session.LinkedBoat;
 import org.sami.crw.session.WayByHand;
 import org.sami.spn.value.GeoPoint;
 
@@ -37,6 +39,16 @@ record CommandReply(String text, ObjectNode more) {
     static CommandReply ofBoats(List<String> boats) {
         CommandReply reply = of("");
         reply.texts("boats", boats);
+        return reply;
+    }
+
+    /** With the addresses of boats, as {@code links}. */
+    static CommandReply ofLinked(List<LinkedBoat> boats) {
+        CommandReply reply = of("");
+        ArrayNode links = reply.more.putArray("links");
+        boats.forEach(one -> links.addObject()
+                .put("boat", one.boat())
+                .put("address", one.address().toString()));
         return reply;
     }
 

@@ -80,6 +80,10 @@ final class FrontCommands {
             }
             case "acknowledge" -> acknowledge(person, message);
             case "note" -> note(person, message);
+            case "linkedBoats" -> {
+                Rights.require(person, Right.DRIVE);
+                yield session.fleet().linkedBoats().thenApply(CommandReply::ofLinked);
+            }
             case "layer" -> layers.layer(message);
             case "ping" -> CompletableFuture.completedFuture(CommandReply.DONE);
             default -> throw new MalformedMessageException("'" + message.type() + "' comes first and once");

@@ -60,6 +60,7 @@ record FrontMessage(String type, long id, JsonNode body) {
             Map.entry("again", Set.of("mission")),
             Map.entry("boat", Set.of("do", "boat", "client", "command", "address", "lat", "lon", "count")),
             Map.entry("set", Set.of("boat", "setting", "p", "i", "d", "multiplier", "action")),
+            Map.entry("linkedBoats", Set.of()),
             Map.entry("layer", Set.of("sensor", "visualization")),
             Map.entry("note", Set.of("text", "lat", "lon")),
             Map.entry("ping", Set.of()));

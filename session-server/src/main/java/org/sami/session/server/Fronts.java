@@ -46,6 +46,7 @@ final class Fronts implements AutoCloseable {
     private final JournalFeed feed;
     private final Following following;
     private final FrontCommands commands;
+    private final PeopleNews news;
     private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread one = new Thread(work, "session server");
         one.setDaemon(true);
@@ -62,12 +63,17 @@ final class Fronts implements AutoCloseable {
         this.tickets = tickets;
         this.nanos = nanos;
         failedLogins = new FailedLogins(nanos);
-        PeopleNews news = new PeopleNews(session, this::sendToAll);
+        news = new PeopleNews(session, this::sendToAll);
         rows = new SessionRows(session, this::execute);
         hand = new HandDriving(session, news);
         feed = new JournalFeed(session);
         following = new Following(session, feed, this::execute);
         commands = new FrontCommands(session, settled, hand, news);
+    }
+
+    /** Tells all fronts what somebody does. */
+    PeopleNews news() {
+        return news;
     }
 
     /**

@@ -7,6 +7,7 @@ import java.security.KeyStore;
 import java.security.SecureRandom;
 import java.security.cert.Certificate;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import javax.net.ssl.KeyManagerFactory;
@@ -49,7 +50,7 @@ final class PageServer {
      * A server that has not begun.
      *
      * @param bases whose pages may open the WebSocket too
-     * @param pictures answers for pictures of boats, before the page does
+     * @param first answer before the page does: pictures and logs of boats
      * @param sockets what takes a new WebSocket of a client's address, for Jetty
      * @throws IllegalArgumentException if the session would be open to others than this machine without keys
      */
@@ -58,7 +59,7 @@ final class PageServer {
             People people,
             SessionBases bases,
             Optional<TileFile> map,
-            Optional<PictureHandler> pictures,
+            List<Handler.Wrapper> first,
             Function<String, Object> sockets)
             throws IOException {
         if (!people.needKeys() && !address.host().isLoopbackAddress()) {
@@ -77,8 +78,11 @@ final class PageServer {
         server.addConnector(connector);
         WebSocketUpgradeHandler upgrades = WebSocketUpgradeHandler.from(server, this::configure);
         Handler pages = new TileHandler(map, new PageHandler(bases));
-        pictures.ifPresent(first -> first.setHandler(pages));
-        upgrades.setHandler(pictures.<Handler>map(first -> first).orElse(pages));
+        for (Handler.Wrapper one : first) {
+            one.setHandler(pages);
+            pages = one;
+        }
+        upgrades.setHandler(pages);
         server.setHandler(upgrades);
     }
 

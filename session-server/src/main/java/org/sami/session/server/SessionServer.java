@@ -2,6 +2,7 @@ package org.sami.session.server;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.util.List;
 import java.util.Optional;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.session.Session;
@@ -15,6 +16,7 @@ import org.sami.session.person.People;
 public final class SessionServer implements AutoCloseable {
     private final Fronts fronts;
     private final PictureHandler pictures;
+    private final LogHandler logs;
     private final PageServer server;
 
     private SessionServer(
@@ -29,7 +31,8 @@ public final class SessionServer implements AutoCloseable {
                 tickets,
                 System::nanoTime);
         pictures = new PictureHandler(session.models().pictures()::snapshot, tickets);
-        server = new PageServer(address, people, bases, map, Optional.of(pictures), fronts::connect);
+        logs = new LogHandler(session.fleet(), tickets, new LogNews(fronts.news(), System::nanoTime));
+        server = new PageServer(address, people, bases, map, List.of(pictures, logs), fronts::connect);
     }
 
     /**
@@ -82,6 +85,7 @@ public final class SessionServer implements AutoCloseable {
     public void close() {
         fronts.close();
         pictures.close();
+        logs.close();
         server.stop();
     }
 }

@@ -3,6 +3,7 @@ package org.sami.session.server;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.util.List;
 import java.util.Optional;
 import org.sami.session.map.TileFile;
 import org.sami.session.person.People;
@@ -19,7 +20,7 @@ public final class StandbyServer implements AutoCloseable {
     private StandbyServer(People people, ServerAddress address, Optional<TileFile> map, SessionBases bases)
             throws IOException {
         this.bases = bases;
-        server = new PageServer(address, people, bases, map, Optional.empty(), from -> new StandbyFront(message()));
+        server = new PageServer(address, people, bases, map, List.of(), from -> new StandbyFront(message()));
     }
 
     /**

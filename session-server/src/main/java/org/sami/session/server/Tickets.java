@@ -6,9 +6,11 @@ import java.security.SecureRandom;
 import java.util.Base64;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
+import org.sami.session.person.Person;
 
 /**
- * What fronts show to fetch pictures over HTTP: a random text for each login, which counts for as long as its WebSocket is open. Safe for use by several threads.
+ * What fronts show to fetch pictures and logs over HTTP: a random text for each login, which counts for as long as its WebSocket is open. Safe for use by several threads.
  */
 final class Tickets {
     private static final int BYTES = 18;
@@ -30,13 +32,15 @@ final class Tickets {
         issued.remove(front);
     }
 
-    /** Whether a front that is still there has this ticket. Takes the same time for each wrong one. */
-    synchronized boolean isValid(String ticket) {
+    /** The person whose front, which is still there, has this ticket; empty for a wrong one, for which it takes always the same time. */
+    synchronized Optional<Person> person(String ticket) {
         byte[] given = ticket.getBytes(StandardCharsets.UTF_8);
-        boolean valid = false;
-        for (String one : issued.values()) {
-            valid |= MessageDigest.isEqual(one.getBytes(StandardCharsets.UTF_8), given);
+        Optional<Person> person = Optional.empty();
+        for (Map.Entry<Front, String> one : issued.entrySet()) {
+            if (MessageDigest.isEqual(one.getValue().getBytes(StandardCharsets.UTF_8), given)) {
+                person = one.getKey().person();
+            }
         }
-        return valid;
+        return person;
     }
 }

@@ -2,7 +2,6 @@ package org.sami.crw.proxy.file;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.net.Socket;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,24 +15,25 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Supplier;
 import org.sami.boat.link.KeptFile;
 import org.sami.boat.link.security.LinkRefusedException;
 import org.sami.boat.link.security.LinkSecurity;
 
 /**
- * Fetches files of the boat at one address into a folder, over a link of its own, as an observer: {@link KeptFile#LOG logs}, {@link KeptFile#PICTURE pictures}. A link that breaks is made again and goes
+ * Fetches files of the boat at one address into a folder, over links of its own, as an observer: {@link KeptFile#LOG logs}, {@link KeptFile#PICTURE pictures}. A link that breaks is made again and goes
  * on where it was; so does a later fetch into the same folder. Waits for the boat, so never on the event thread or an engine's. {@link #cancel} is for any thread.
  */
 public final class BoatFileFetch {
     private static final long[] WAITS_MS = {250, 500, 1000, 2000, 4000};
 
     private final InetSocketAddress address;
-    private final LinkSecurity security;
+    private final Supplier<BoatFiles> links;
     private final FileNews news;
     private final boolean patient;
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition cancelling = lock.newCondition();
-    private Optional<Socket> socket = Optional.empty(); // this and the next are guarded by the lock
+    private Optional<BoatFiles> current = Optional.empty(); // this and the next are guarded by the lock
     private boolean cancelled;
     private boolean progressed; // this and the next are for the fetching thread
     private long bytes; // of all links of this fetch
@@ -55,7 +55,7 @@ public final class BoatFileFetch {
     }
 
     private interface Work {
-        Result on(BoatFileLink link) throws IOException;
+        Result on(BoatFiles link) throws IOException;
     }
 
     /**
@@ -64,17 +64,18 @@ public final class BoatFileFetch {
      * @param security such as {@code BaseProtection.ofThisProcess()}
      */
     public BoatFileFetch(InetSocketAddress address, LinkSecurity security, FileNews news) {
-        this(address, security, news, false);
+        this(address, () -> new BoatFileLink(address, security), news, false);
     }
 
     /**
      * A fetch that has not begun.
      *
+     * @param links makes a link to the boat that is not open yet, for each try
      * @param patient whether it tries again until it is cancelled, however long the boat is not reached
      */
-    BoatFileFetch(InetSocketAddress address, LinkSecurity security, FileNews news, boolean patient) {
+    BoatFileFetch(InetSocketAddress address, Supplier<BoatFiles> links, FileNews news, boolean patient) {
         this.address = Objects.requireNonNull(address, "address");
-        this.security = Objects.requireNonNull(security, "security");
+        this.links = Objects.requireNonNull(links, "links");
         this.news = Objects.requireNonNull(news, "news");
         this.patient = patient;
     }
@@ -166,7 +167,7 @@ public final class BoatFileFetch {
         });
     }
 
-    private void checkBoat(BoatFileLink link, String boatId) throws FileFetchException {
+    private void checkBoat(BoatFiles link, String boatId) throws FileFetchException {
         if (!link.boatId().equals(boatId)) {
             throw new FileFetchException("at " + address.getHostString() + ":" + address.getPort() + " answers "
                     + link.boatId() + ", not " + boatId);
@@ -182,11 +183,11 @@ public final class BoatFileFetch {
         return bytes;
     }
 
-    private Result result(BoatFileLink link, List<Path> files, List<String> refused) {
+    private Result result(BoatFiles link, List<Path> files, List<String> refused) {
         return new Result(link.boatId(), files, bytes, refused);
     }
 
-    private Path fetch(BoatFileLink link, KeptFile file, Path folder) throws IOException {
+    private Path fetch(BoatFiles link, KeptFile file, Path folder) throws IOException {
         FileCopy copy = new FileCopy(file, folder);
         copy.fetch(link, (here, piece) -> {
             bytes += piece;
@@ -207,8 +208,8 @@ public final class BoatFileFetch {
         int failures = 0;
         while (true) {
             progressed = false;
-            try (Socket next = begin();
-                    BoatFileLink link = BoatFileLink.open(next, address, security)) {
+            try (BoatFiles link = begin()) {
+                link.open();
                 return work.on(link);
             } catch (FileFetchException | LinkRefusedException e) {
                 throw e;
@@ -228,12 +229,12 @@ public final class BoatFileFetch {
         }
     }
 
-    private Socket begin() throws IOException {
+    private BoatFiles begin() throws IOException {
         lock.lock();
         try {
             checkCancelled();
-            Socket next = new Socket();
-            socket = Optional.of(next);
+            BoatFiles next = links.get();
+            current = Optional.of(next);
             return next;
         } finally {
             lock.unlock();
@@ -273,8 +274,8 @@ public final class BoatFileFetch {
         try {
             cancelled = true;
             cancelling.signalAll();
-            if (socket.isPresent()) {
-                socket.get().close();
+            if (current.isPresent()) {
+                current.get().close();
             }
         } catch (IOException e) {
             // it is closed for us all the same

@@ -1,15 +1,16 @@
 package org.sami.crw.proxy.file;
 
 import java.io.BufferedInputStream;
-import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
+import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.FileAnswer;
 import org.sami.boat.link.FileList;
 import org.sami.boat.link.FilePiece;
@@ -32,40 +33,41 @@ import org.sami.boat.link.Welcome;
 import org.sami.boat.link.security.LinkSecurity;
 import org.sami.boat.link.security.SecureLink;
 
-/**
- * A link to one boat for its files. It observes, and commands nothing. All calls wait for the boat, until the link breaks or is closed; for one thread, but {@link #close} for
- * any.
- */
-final class BoatFileLink implements Closeable {
+/** A boat's files over a link to the boat itself, over TCP. It observes, and commands nothing. */
+public final class BoatFileLink implements BoatFiles {
     private static final int WITHIN_MS = 10_000;
     private static final int MOST_FILES = 100_000;
+    private static final String NOT_OPEN = "the link is not open";
 
-    private final Socket socket;
-    private final FrameReader frames;
-    private final OutputStream out;
+    private final InetSocketAddress address;
+    private final LinkSecurity security;
+    private final Socket socket = new Socket(); // made at once, so that a link that is being made can be closed
+    private @Nullable FrameReader frames; // this and the next: not null once it is open
+    private @Nullable OutputStream out;
     private String boatId = "";
     private long sequence;
     private long requests;
 
-    private BoatFileLink(Socket socket, SecureLink link) throws IOException {
-        this.socket = socket;
-        frames = new FrameReader(new BufferedInputStream(link.in()), LinkCodec.STANDARD);
-        out = link.out();
+    /**
+     * A link that is not made yet.
+     *
+     * @param security such as {@code BaseProtection.ofThisProcess()}
+     */
+    public BoatFileLink(InetSocketAddress address, LinkSecurity security) {
+        this.address = Objects.requireNonNull(address, "address");
+        this.security = Objects.requireNonNull(security, "security");
     }
 
-    /**
-     * Links a boat.
-     *
-     * @throws IOException if it is not reached, not this base's, or of another version
-     */
-    static BoatFileLink open(Socket socket, InetSocketAddress address, LinkSecurity security) throws IOException {
+    @Override
+    public void open() throws IOException {
         try {
             socket.setTcpNoDelay(true);
             socket.connect(new InetSocketAddress(address.getHostString(), address.getPort()), WITHIN_MS);
             socket.setSoTimeout(WITHIN_MS); // the boat says something once a second
-            BoatFileLink link = new BoatFileLink(socket, security.connect(socket));
-            link.greet();
-            return link;
+            SecureLink link = security.connect(socket);
+            frames = new FrameReader(new BufferedInputStream(link.in()), LinkCodec.STANDARD);
+            out = link.out();
+            greet();
         } catch (IOException | RuntimeException e) {
             socket.close();
             throw e;
@@ -81,17 +83,13 @@ final class BoatFileLink implements Closeable {
         boatId = ((Welcome) message).boatId();
     }
 
-    /** The boat that answers. */
-    String boatId() {
+    @Override
+    public String boatId() {
         return boatId;
     }
 
-    /**
-     * All files of a kind.
-     *
-     * @throws FileFetchException if the boat lists none
-     */
-    List<KeptFile> list(String kind) throws IOException {
+    @Override
+    public List<KeptFile> list(String kind) throws IOException {
         List<KeptFile> all = new ArrayList<>();
         String after = "";
         boolean more = true;
@@ -107,13 +105,9 @@ final class BoatFileLink implements Closeable {
         return all;
     }
 
-    /**
-     * The bytes of a file from an offset on, as many as the boat gives at once.
-     *
-     * @throws FileFetchException if the boat gives none
-     */
-    byte[] piece(String name, long offset, int atMost) throws IOException {
-        FileAnswer answer = ask(new GetPiece(nextId(), name, offset, atMost));
+    @Override
+    public byte[] piece(String name, long offset, int atMost) throws IOException {
+        FileAnswer answer = ask(new GetPiece(nextId(), name, offset, Math.min(atMost, FilePiece.MAX_BYTES)));
         if (answer instanceof FilePiece piece
                 && piece.offset() == offset
                 && piece.name().equals(name)) {
@@ -148,7 +142,7 @@ final class BoatFileLink implements Closeable {
 
     private LinkMessage next() throws IOException {
         try {
-            Optional<byte[]> frame = frames.next();
+            Optional<byte[]> frame = Objects.requireNonNull(frames, NOT_OPEN).next();
             if (frame.isEmpty()) {
                 throw new IOException("the boat has closed the link");
             }
@@ -165,8 +159,9 @@ final class BoatFileLink implements Closeable {
     }
 
     private void say(LinkMessage message) throws IOException {
-        out.write(LinkCodec.STANDARD.encode(new Frame(sequence++, "", message)));
-        out.flush();
+        OutputStream to = Objects.requireNonNull(out, NOT_OPEN);
+        to.write(LinkCodec.STANDARD.encode(new Frame(sequence++, "", message)));
+        to.flush();
     }
 
     @Override

@@ -11,7 +11,6 @@ import java.nio.file.StandardOpenOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
-import org.sami.boat.link.FilePiece;
 import org.sami.boat.link.KeptFile;
 
 /**
@@ -20,6 +19,7 @@ import org.sami.boat.link.KeptFile;
  */
 final class FileCopy {
     private static final int BUFFER_BYTES = 64 << 10;
+    private static final int MOST_AT_ONCE = 1 << 20; // a link gives less at once
 
     /** Receives how it goes. */
     interface Arrival {
@@ -56,7 +56,7 @@ final class FileCopy {
      * @throws IOException if the link breaks; what has come is kept
      * @throws FileFetchException if the boat does not give it, or something else than it listed
      */
-    void fetch(BoatFileLink link, Arrival arrival) throws IOException {
+    void fetch(BoatFiles link, Arrival arrival) throws IOException {
         if (isHere()) {
             return;
         }
@@ -87,11 +87,11 @@ final class FileCopy {
         Files.move(part, whole, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     }
 
-    private void append(BoatFileLink link, Arrival arrival) throws IOException {
+    private void append(BoatFiles link, Arrival arrival) throws IOException {
         long here = Files.exists(part) ? Files.size(part) : 0;
         try (OutputStream out = Files.newOutputStream(part, StandardOpenOption.CREATE, StandardOpenOption.APPEND)) {
             while (here < wanted.bytes()) {
-                int most = (int) Math.min(FilePiece.MAX_BYTES, wanted.bytes() - here);
+                int most = (int) Math.min(MOST_AT_ONCE, wanted.bytes() - here);
                 byte[] piece = link.piece(wanted.name(), here, most);
                 if (piece.length == 0 || piece.length > most) {
                     throw new FileFetchException(link.boatId() + ": " + wanted.name() + " ends at byte " + here + " of "

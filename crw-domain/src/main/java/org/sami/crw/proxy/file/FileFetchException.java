@@ -6,7 +6,8 @@ import java.io.IOException;
 public final class FileFetchException extends IOException {
     private static final long serialVersionUID = 1;
 
-    FileFetchException(String message) {
+    /** A refusal, in words. */
+    public FileFetchException(String message) {
         super(message);
     }
 }

@@ -12,6 +12,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.sami.boat.link.security.LinkSecurity;
 import org.sami.crw.proxy.tcp.BoatAddress;
 
@@ -51,18 +52,25 @@ public final class FleetFileFetch {
      * @param news called by several threads
      */
     public FleetFileFetch(List<BoatAddress> addresses, LinkSecurity security, FileNews news) {
-        this(addresses, security, news, false);
+        this(addresses, address -> new BoatFileLink(address.toSocketAddress(), security), news, false);
     }
 
-    private FleetFileFetch(List<BoatAddress> addresses, LinkSecurity security, FileNews news, boolean patient) {
+    private FleetFileFetch(
+            List<BoatAddress> addresses, Function<BoatAddress, BoatFiles> links, FileNews news, boolean patient) {
         for (BoatAddress address : addresses) {
-            fetches.put(address, new BoatFileFetch(address.toSocketAddress(), security, news, patient));
+            fetches.put(
+                    address, new BoatFileFetch(address.toSocketAddress(), () -> links.apply(address), news, patient));
         }
     }
 
-    /** A fetch that has not begun, and then tries boats again until it is cancelled, however long they are not reached. */
-    public static FleetFileFetch untilCancelled(List<BoatAddress> addresses, LinkSecurity security, FileNews news) {
-        return new FleetFileFetch(addresses, security, news, true);
+    /**
+     * A fetch that has not begun, and then tries boats again until it is cancelled, however long they are not reached.
+     *
+     * @param links makes a link to a boat that is not open yet, for each try; called by several threads, as the news are
+     */
+    public static FleetFileFetch untilCancelled(
+            List<BoatAddress> addresses, Function<BoatAddress, BoatFiles> links, FileNews news) {
+        return new FleetFileFetch(addresses, links, news, true);
     }
 
     /**

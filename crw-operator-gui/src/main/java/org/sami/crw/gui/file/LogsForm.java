@@ -146,7 +146,7 @@ final class LogsForm extends JPanel {
     }
 
     private void readLinks() {
-        context.here().fleet().links().thenAccept(fetch::offer);
+        context.session().fleet().linkedBoats().thenAccept(fetch::offer);
     }
 
     /** The folder that is named; empty where the text cannot be one. */

@@ -4,9 +4,9 @@ import java.awt.Component;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.session.file.LogFetch;
 import org.sami.ui.EventThread;
+import org.sami.ui.command.Command;
 import org.sami.ui.sheet.FileSheet;
 import org.sami.ui.sheet.Sheet;
 import org.sami.ui.sheet.WindowSheet;
@@ -24,7 +24,15 @@ public final class LogsSheet {
     public LogsSheet(OperatorContext context, Component inside) {
         this.context = context;
         this.inside = inside;
-        fetch = new LogFetch(EventThread.executor(), BaseProtection::ofThisProcess, this::changed);
+        fetch = new LogFetch(
+                EventThread.executor(), boat -> context.session().fleet().files(boat), this::changed);
+    }
+
+    /** The command that opens it. */
+    public Command command() {
+        return new Command("logs-fetch", "Fetch logs…", this::open)
+                .withKey("alt shift L")
+                .withIcon("file");
     }
 
     /** Opens it. */

@@ -13,13 +13,16 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.boat.ConnectSheet;
 import org.sami.crw.gui.context.BoatSelection;
 import org.sami.crw.gui.context.LoadedProject;
+import org.sami.crw.gui.context.MachineCommand;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.file.LogsSheet;
 import org.sami.crw.gui.sound.AlarmSounds;
 import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.status.FleetStopCommands;
 import org.sami.crw.gui.status.HealthRow;
 import org.sami.crw.gui.status.StatusStrip;
 import org.sami.crw.gui.window.OperatorPanels;
+import org.sami.crw.gui.window.ReplaySheet;
 import org.sami.crw.gui.window.WindowMenus;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.palette.ProxyMarks;
@@ -36,7 +39,7 @@ import org.sami.ui.window.WindowSettings;
 
 /**
  * The operator's window over a session in another process: the same panels, status strip and fleet stop, and a band that says whose session it is. What only the session's own
- * machine has, such as files and keys, cannot be run and says why. Closing it leaves the session as it is. On the event thread.
+ * machine has, such as its keys, cannot be run and says why ({@link MachineCommand}). Closing it leaves the session as it is. On the event thread.
  */
 public final class RemoteWindow {
     private static final int REFRESH_MS = 250;
@@ -47,6 +50,7 @@ public final class RemoteWindow {
     private final IntConsumer ended;
     private final OperatorContext context;
     private final JFrame frame = new JFrame();
+    private final LogsSheet logs;
     private final OperatorPanels panels;
     private final DockArea dock;
     private final CommandKeys keys;
@@ -80,6 +84,13 @@ public final class RemoteWindow {
         CommandRegistry commands = context.commands();
         band.of(session.address().toString(), session.person(), context.notices(), commands::askPolicy, this::title);
         commands.add(ConnectSheet.command(context, frame.getRootPane()));
+        for (MachineCommand machine : MachineCommand.values()) {
+            commands.add(machine.elsewhere());
+        }
+        logs = new LogsSheet(context, frame.getRootPane());
+        commands.add(logs.command());
+        commands.add(ReplaySheet.command(
+                context, frame.getRootPane(), data.folder(), data.folder().resolveSibling("sessions")));
         FleetStopCommands fleetStop = new FleetStopCommands(context);
         panels = new OperatorPanels(context, settings, new LoadedProject(Optional.empty()));
         sounds = AlarmSounds.of(context, settings);
@@ -153,6 +164,7 @@ public final class RemoteWindow {
         refresh.stop();
         keys.close();
         sounds.close();
+        logs.end();
         dock.close();
         panels.close();
         frame.dispose();

@@ -35,7 +35,7 @@ final class RightsPolicy implements CommandPolicy {
                 "boat-connect",
                 "boat-add-simulated",
                 "address-give-up"),
-        DRIVE("drive boats", "boat-by-hand", "boat-cancel-command"),
+        DRIVE("drive boats or fetch their logs", "boat-by-hand", "boat-cancel-command", "logs-fetch"),
         SETUP("set up boats", "boat-set-heading", "boat-set-speed", "boat-set-velocity", "boat-set-lost-link");
 
         private final String words;

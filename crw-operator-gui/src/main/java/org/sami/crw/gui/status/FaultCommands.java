@@ -1,9 +1,9 @@
 package org.sami.crw.gui.status;
 
+import org.sami.crw.gui.context.MachineCommand;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.fault.BoatsAtFault;
-import org.sami.ui.command.Command;
 import org.sami.ui.window.WindowSettings;
 
 /** What boats of missions do while the engine or its journal does not work: chosen by the operator, and remembered. On the event thread. */
@@ -20,10 +20,7 @@ public final class FaultCommands {
         if (settings.text(KEY).equals(BoatsAtFault.STOP.typed())) {
             session().faults().setBoats(BoatsAtFault.STOP);
         }
-        context.commands()
-                .add(new Command("fault-boats", "On a fault of the engine: boats hold, or all stop", this::toggle)
-                        .withKey("ctrl shift F11")
-                        .withIcon("health"));
+        context.commands().add(MachineCommand.BOATS_AT_FAULT.here(this::toggle));
     }
 
     private Session session() {

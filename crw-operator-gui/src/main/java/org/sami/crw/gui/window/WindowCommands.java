@@ -2,22 +2,20 @@ package org.sami.crw.gui.window;
 
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JFrame;
 import org.sami.crw.gui.boat.ConnectSheet;
+import org.sami.crw.gui.context.MachineCommand;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.file.LogsSheet;
 import org.sami.crw.gui.key.KeysForm;
 import org.sami.crw.gui.key.PairSheet;
 import org.sami.crw.gui.near.NearSheet;
-import org.sami.crw.gui.start.ReplayProcess;
 import org.sami.crw.gui.station.StationShow;
 import org.sami.crw.proxy.near.BoatFinder;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
-import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.dock.DockArea;
 import org.sami.ui.sheet.FileSheet;
@@ -42,20 +40,12 @@ final class WindowCommands {
         this.frame = frame;
         add(ConnectSheet.command(context, frame.getRootPane()));
         near = new NearSheet(context, frame.getRootPane(), () -> finder.get());
-        add(new Command("boats-near", "Boats near…", near::open)
-                .withKey("ctrl N")
-                .withIcon("search"));
-        add(new Command("boat-pair", "Pair a boat…", () -> new PairSheet(context, frame.getRootPane()).open())
-                .withKey("alt shift P")
-                .withIcon("link"));
-        add(new Command("phone-add", "Add a phone…", () -> new PairSheet(context, frame.getRootPane()).addPhone())
-                .withKey("alt shift A")
-                .withIcon("plus"));
-        add(new Command("keys", "Keys…", this::keys).withKey("alt shift K").withIcon("variables"));
+        add(MachineCommand.BOATS_NEAR.here(near::open));
+        add(MachineCommand.PAIR.here(() -> new PairSheet(context, frame.getRootPane()).open()));
+        add(MachineCommand.PHONE.here(() -> new PairSheet(context, frame.getRootPane()).addPhone()));
+        add(MachineCommand.KEYS.here(this::keys));
         LogsSheet logs = new LogsSheet(context, frame.getRootPane());
-        add(new Command("logs-fetch", "Fetch logs…", logs::open)
-                .withKey("alt shift L")
-                .withIcon("file"));
+        add(logs.command());
         frame.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosed(WindowEvent e) {
@@ -63,13 +53,8 @@ final class WindowCommands {
             }
         });
         stations = new StationShow(context, frame.getRootPane());
-        add(new Command("boats-ground-station", "Show simulated boats to a ground station…", stations::open)
-                .withKey("alt shift G")
-                .withIcon("link")
-                .unless(stations::whyNot));
-        add(new Command("project-open", "Load a project…", this::load)
-                .withKey("ctrl O")
-                .withIcon("folder"));
+        add(MachineCommand.GROUND_STATION.here(stations::open).unless(stations::whyNot));
+        add(MachineCommand.PROJECT.here(this::load));
         view = new ViewCommands(context.commands(), frame, settings);
     }
 
@@ -87,25 +72,7 @@ final class WindowCommands {
 
     /** The command that opens a journal in a window of its own. */
     void addReplay(Path folder) {
-        add(new Command("replay-open", "Replay a journal…", () -> {
-                    new FileSheet("replay-file", "Replay a journal; this session goes on")
-                            .from(folder.resolve("sessions"))
-                            .open(frame.getRootPane(), journal -> replay(journal, folder));
-                })
-                .withKey("ctrl shift J")
-                .withIcon("clock"));
-    }
-
-    private void replay(Path journal, Path folder) {
-        try {
-            context.notices().show(journal.getFileName() + " is opened in a window of its own");
-            ReplayProcess.start(
-                    journal,
-                    folder,
-                    problem -> EventThread.later(() -> context.notices().refused("the replay has ended: " + problem)));
-        } catch (IOException fault) {
-            context.notices().refused("the replay cannot be started: " + fault.getMessage());
-        }
+        add(ReplaySheet.command(context, frame.getRootPane(), folder, folder.resolve("sessions")));
     }
 
     /** The command that ends the program. */

@@ -13,14 +13,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
-import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.sami.boat.link.KeptFile;
-import org.sami.boat.link.security.LinkSecurity;
+import org.sami.crw.proxy.file.BoatFiles;
 import org.sami.crw.proxy.file.FileNews;
 import org.sami.crw.proxy.file.FleetFileFetch;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.crw.session.LinkedBoat;
 
 /**
  * The fetching of boats' logs as a window shows it: the boats that are linked, how far each of the chosen ones is, what came and what did not. A boat that does not answer
@@ -28,7 +27,7 @@ import org.sami.crw.proxy.tcp.LinkReport;
  */
 public final class LogFetch {
     private final Executor front;
-    private final Supplier<LinkSecurity> security;
+    private final Function<LinkedBoat, BoatFiles> files;
     private final Runnable changed;
     private final Map<BoatAddress, LogRow> rows = new LinkedHashMap<>();
     private final Map<BoatAddress, Function<LogRow, LogRow>> news =
@@ -42,29 +41,27 @@ public final class LogFetch {
      * Nothing is fetched yet.
      *
      * @param front runs what this notifies
-     * @param security of the links, asked for each fetch: {@code BaseProtection::ofThisProcess}
+     * @param files makes a link to a boat for its files, such as {@code fleet()::files}; from any thread
      * @param changed is called on the front after each change
      */
-    public LogFetch(Executor front, Supplier<LinkSecurity> security, Runnable changed) {
+    public LogFetch(Executor front, Function<LinkedBoat, BoatFiles> files, Runnable changed) {
         this.front = Objects.requireNonNull(front, "front");
-        this.security = Objects.requireNonNull(security, "security");
+        this.files = Objects.requireNonNull(files, "files");
         this.changed = Objects.requireNonNull(changed, "changed");
     }
 
     /** The boats that are linked now; while a fetch runs, its own stay listed. */
-    public void offer(List<LinkReport> links) {
+    public void offer(List<LinkedBoat> links) {
         Map<BoatAddress, LogRow> next = new LinkedHashMap<>();
         rows.forEach((address, row) -> {
             if (running.isPresent() && row.state() != LogRow.State.IDLE) {
                 next.put(address, row);
             }
         });
-        for (LinkReport link : links) {
-            BoatAddress address = new BoatAddress(
-                    link.address().getHostString(), link.address().getPort());
-            link.boatId()
-                    .ifPresent(boat -> next.putIfAbsent(
-                            address, Optional.ofNullable(rows.get(address)).orElse(LogRow.idle(boat, address))));
+        for (LinkedBoat link : links) {
+            next.putIfAbsent(
+                    link.address(),
+                    Optional.ofNullable(rows.get(link.address())).orElse(LogRow.idle(link.boat(), link.address())));
         }
         if (!next.equals(rows)) {
             rows.clear();
@@ -95,7 +92,10 @@ public final class LogFetch {
             return;
         }
         rows.replaceAll((address, row) -> chosen.contains(address) ? row.asked() : LogRow.idle(row.boat(), address));
-        FleetFileFetch fetch = FleetFileFetch.untilCancelled(addresses, security.get(), new News());
+        Map<BoatAddress, LinkedBoat> boats = new HashMap<>();
+        rows.forEach((address, row) -> boats.put(address, new LinkedBoat(row.boat(), address)));
+        FleetFileFetch fetch = FleetFileFetch.untilCancelled(
+                addresses, address -> files.apply(Objects.requireNonNull(boats.get(address))), new News());
         running = Optional.of(fetch);
         cancelled = false;
         say("Fetching into " + folder, false);

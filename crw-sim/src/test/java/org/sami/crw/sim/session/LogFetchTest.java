@@ -8,7 +8,6 @@ import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -22,8 +21,9 @@ import org.sami.boat.link.security.OpenLinks;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.OwnPort;
+import org.sami.crw.proxy.file.BoatFileLink;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.proxy.tcp.LinkReport;
+import org.sami.crw.session.LinkedBoat;
 import org.sami.crw.session.file.LogFetch;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
@@ -33,7 +33,8 @@ import org.sami.spn.value.GeoPoint;
 @Timeout(900)
 class LogFetchTest {
     private final ExecutorService front = Executors.newSingleThreadExecutor();
-    private final LogFetch fetch = new LogFetch(front, OpenLinks::new, () -> {});
+    private final LogFetch fetch =
+            new LogFetch(front, boat -> new BoatFileLink(boat.address().toSocketAddress(), new OpenLinks()), () -> {});
 
     @TempDir
     private Path folder;
@@ -61,8 +62,8 @@ class LogFetchTest {
                 TcpServerListener.NONE);
     }
 
-    private static LinkReport link(String name, InetSocketAddress at) {
-        return new LinkReport(at, Optional.of(name), true, 1, "", false, 0, 0);
+    private static LinkedBoat link(String name, InetSocketAddress at) {
+        return new LinkedBoat(name, address(at));
     }
 
     private static BoatAddress address(InetSocketAddress at) {
@@ -76,7 +77,7 @@ class LogFetchTest {
         });
     }
 
-    private void offer(LinkReport... links) {
+    private void offer(LinkedBoat... links) {
         ask(one -> {
             one.offer(List.of(links));
             return true;

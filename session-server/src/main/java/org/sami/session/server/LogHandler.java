@@ -1,0 +1,164 @@
+package org.sami.session.server;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.http.HttpStatus;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
+import org.eclipse.jetty.util.Callback;
+import org.eclipse.jetty.util.Fields;
+import org.sami.boat.link.KeptFile;
+import org.sami.crw.proxy.file.BoatFiles;
+import org.sami.crw.proxy.file.FileFetchException;
+import org.sami.crw.session.Fleet;
+import org.sami.crw.session.LinkedBoat;
+import org.sami.crw.session.RefusedException;
+import org.sami.session.person.Person;
+import org.sami.session.person.Right;
+
+/**
+ * Serves the logs that boats keep, to people who may drive them: {@code /logs?boat=B} lists them, {@code /log?boat=B&name=N&from=K&most=M} gives the bytes of one from an offset on, up to {@value #MOST_BYTES} at once.
+ * They come from the boat for each request, and are kept nowhere here (docs/session-link.md). What refuses them says why in words.
+ */
+final class LogHandler extends TicketHandler {
+    /** The bytes that are given at once; 40 pieces of a boat, so that progress is seen on a slow link. */
+    static final int MOST_BYTES = 240_000;
+
+    /** Each waits for one boat; the fetch of a fleet's logs asks several at once. */
+    private static final int MOST_BOATS_AT_ONCE = 8;
+
+    private final Fleet fleet;
+    private final LogNews news;
+
+    /**
+     * Serves logs.
+     *
+     * @param news is told who fetches which boat's
+     */
+    LogHandler(Fleet fleet, Tickets tickets, LogNews news) {
+        super(tickets, "session server logs", MOST_BOATS_AT_ONCE);
+        this.fleet = fleet;
+        this.news = news;
+    }
+
+    /** What is asked of a boat. */
+    @FunctionalInterface
+    private interface Question {
+        byte[] ask(BoatFiles boat) throws IOException;
+    }
+
+    @Override
+    boolean serves(String path) {
+        return path.equals("/logs") || path.equals("/log");
+    }
+
+    @Override
+    void serve(Person person, Request request, Response response, Callback callback) {
+        try {
+            Rights.require(person, Right.DRIVE);
+        } catch (RefusedException refused) {
+            say(response, HttpStatus.FORBIDDEN_403, RefusedException.reason(refused), callback);
+            return;
+        }
+        Fields asked = Request.extractQueryParameters(request);
+        String boat = text(asked, "boat");
+        boolean lists = Request.getPathInContext(request).equals("/logs");
+        String name = text(asked, "name");
+        Optional<Long> from = number(text(asked, "from"));
+        Optional<Long> most = number(text(asked, "most")).filter(one -> one > 0);
+        if (!lists && (from.isEmpty() || most.isEmpty() || !KeptFile.isName(name))) {
+            say(
+                    response,
+                    HttpStatus.BAD_REQUEST_400,
+                    "'name' is that of a file, 'from' its byte from 0 on, 'most' how many from there on",
+                    callback);
+            return;
+        }
+        Question question = lists
+                ? LogHandler::list
+                : files -> piece(files, name, from.get(), (int) Math.min(MOST_BYTES, most.get()));
+        fleet.linkedBoats().whenComplete((boats, fault) -> {
+            Optional<LinkedBoat> known = fault != null
+                    ? Optional.empty()
+                    : boats.stream().filter(one -> one.boat().equals(boat)).findFirst();
+            if (known.isEmpty()) {
+                say(response, HttpStatus.NOT_FOUND_404, "the base has no link to a boat '" + boat + "'", callback);
+                return;
+            }
+            if (lists) {
+                news.fetches(person, boat);
+            }
+            response.getHeaders().put(HttpHeader.CONTENT_TYPE, lists ? "application/json" : "application/octet-stream");
+            work(response, callback, () -> answer(known.get(), question, response, callback));
+        });
+    }
+
+    private static String text(Fields asked, String name) {
+        return Optional.ofNullable(asked.getValue(name)).orElse("");
+    }
+
+    private static Optional<Long> number(String text) {
+        return text.matches("[0-9]{1,10}") ? Optional.of(Long.parseLong(text)) : Optional.empty();
+    }
+
+    private void answer(LinkedBoat boat, Question question, Response response, Callback callback) {
+        try (BoatFiles files = fleet.files(boat)) {
+            files.open();
+            if (!files.boatId().equals(boat.boat())) {
+                throw new FileFetchException(
+                        "at " + boat.address() + " answers " + files.boatId() + ", not " + boat.boat());
+            }
+            send(response, HttpStatus.OK_200, question.ask(files), callback);
+        } catch (FileFetchException refused) {
+            say(response, HttpStatus.BAD_GATEWAY_502, words(refused), callback);
+        } catch (IOException notReached) {
+            say(response, HttpStatus.SERVICE_UNAVAILABLE_503, words(notReached), callback);
+        } catch (RuntimeException | Error fault) {
+            callback.failed(fault);
+            throw fault;
+        }
+    }
+
+    private static String words(IOException fault) {
+        return fault.getMessage() == null ? fault.toString() : fault.getMessage();
+    }
+
+    private static byte[] list(BoatFiles boat) throws IOException {
+        ObjectNode all = JsonNodeFactory.instance.objectNode();
+        ArrayNode files = all.putArray("files");
+        for (KeptFile file : boat.list(KeptFile.LOG)) {
+            files.addObject()
+                    .put("name", file.name())
+                    .put("bytes", file.bytes())
+                    .put("sha256", file.sha256());
+        }
+        return all.toString().getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** Fewer bytes where the link breaks after the first: the client asks for what follows. */
+    private static byte[] piece(BoatFiles boat, String name, long from, int most) throws IOException {
+        ByteArrayOutputStream all = new ByteArrayOutputStream();
+        while (all.size() < most) {
+            byte[] next;
+            try {
+                next = boat.piece(name, from + all.size(), most - all.size());
+            } catch (IOException broken) {
+                if (all.size() == 0) {
+                    throw broken;
+                }
+                return all.toByteArray();
+            }
+            if (next.length == 0) {
+                return all.toByteArray();
+            }
+            all.writeBytes(next);
+        }
+        return all.toByteArray();
+    }
+}
