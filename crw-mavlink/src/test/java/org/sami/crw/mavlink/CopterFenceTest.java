@@ -61,14 +61,15 @@ class CopterFenceTest {
         client.keepTo(Optional.of(FIELD), List.of(TOWER), RobotKind.COPTER);
 
         isInForce();
-        assertThat(FenceItems.isHeld(FENCE, copter.fence())).isTrue();
+        assertThat(FenceItems.isHeld(FENCE, copter.fence().items())).isTrue();
         assertThat(copter.parameter("FENCE_TYPE")).as("altitude and polygons").isEqualTo(5);
         assertThat(copter.parameter("FENCE_ACTION")).as("brake or land").isEqualTo(4);
 
         client.keepTo(Optional.empty(), List.of(), RobotKind.COPTER);
         Await.until(
                 "it is taken away",
-                () -> copter.parameter("FENCE_ENABLE") == 0 && copter.fence().isEmpty());
+                () -> copter.parameter("FENCE_ENABLE") == 0
+                        && copter.fence().items().isEmpty());
     }
 
     @Test
@@ -80,6 +81,7 @@ class CopterFenceTest {
 
         Await.until(
                 "it is taken away",
-                () -> copter.parameter("FENCE_ENABLE") == 0 && copter.fence().isEmpty());
+                () -> copter.parameter("FENCE_ENABLE") == 0
+                        && copter.fence().items().isEmpty());
     }
 }
