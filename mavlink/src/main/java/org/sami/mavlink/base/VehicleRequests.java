@@ -100,7 +100,7 @@ final class VehicleRequests {
     /** Asks a vehicle for the messages of a plan. */
     void messages(VehicleId vehicle, MessagePlan plan) {
         if (plan.isTight()) {
-            send.accept(vehicle, Silence.of(vehicle)); // what it sends by itself
+            send.accept(vehicle, StreamStop.of(vehicle)); // what it sends by itself
         }
         plan.messages()
                 .forEach(message -> of(vehicle)
