@@ -20,14 +20,10 @@ import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionSetup;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
-import org.sami.session.person.PeopleFile;
-import org.sami.session.person.Person;
-import org.sami.session.person.PersonKey;
 import org.sami.session.person.PersonRole;
-import org.sami.spn.json.DomainLibrary;
+import org.sami.session.server.testing.ServedSession;
 import org.sami.spn.value.GeoPoint;
 
 /** Settings of a real boat, set by people over real sockets on loopback. */
@@ -37,21 +33,19 @@ class SettingCommandsTest {
     @TempDir
     private Path folder;
 
+    private ServedSession served;
     private Session session;
     private SessionServer server;
     private BoatOnTcp boat;
 
     @BeforeEach
     void serve() throws Exception {
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        session = Session.open(SessionSetup.of(
-                library.vocabulary(), library.projectOf("station-keep").orElseThrow()));
-        PeopleFile people = new PeopleFile(folder.resolve("people"));
-        people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
-        people.add(new Person("paul", PersonRole.PILOT, List.of(), PersonKey.hash("key of paul")));
-        server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
-        session.begin();
+        served = ServedSession.ofPlan("station-keep", folder)
+                .with("anna", PersonRole.OPERATOR)
+                .with("paul", PersonRole.PILOT);
+        session = served.session();
+        server = served.serve();
+        served.begin();
         boat = new BoatOnTcp(
                 BoatSettings.of(
                         "bella",
@@ -71,8 +65,7 @@ class SettingCommandsTest {
     @AfterEach
     void end() throws Exception {
         boat.close();
-        server.close();
-        session.close();
+        served.close();
     }
 
     private TestFront login(String name) throws Exception {
