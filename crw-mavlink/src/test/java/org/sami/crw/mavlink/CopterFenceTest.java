@@ -15,13 +15,12 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.testing.SmallCopter;
 import org.sami.spn.value.GeoArea;
-import org.sami.spn.value.GeoPoint;
 
 /** The area of a session of copters as the fence of each. */
 @Timeout(900)
 class CopterFenceTest {
-    private static final GeoArea FIELD = area(45.69, 10.71, 0.02);
-    private static final GeoArea TOWER = area(45.701, 10.721, 0.001);
+    private static final GeoArea FIELD = SquareArea.of(45.69, 10.71, 0.02);
+    private static final GeoArea TOWER = SquareArea.of(45.701, 10.721, 0.001);
     private static final List<MissionItem> FENCE = FenceItems.of(Optional.of(FIELD), List.of(TOWER));
 
     @TempDir
@@ -40,16 +39,6 @@ class CopterFenceTest {
     void end() throws Exception {
         client.close();
         copter.close();
-    }
-
-    private static GeoArea area(double lat, double lon, double size) {
-        return new GeoArea(
-                List.of(
-                        GeoPoint.of(lat, lon),
-                        GeoPoint.of(lat, lon + size),
-                        GeoPoint.of(lat + size, lon + size),
-                        GeoPoint.of(lat + size, lon)),
-                List.of());
     }
 
     private void isInForce() {

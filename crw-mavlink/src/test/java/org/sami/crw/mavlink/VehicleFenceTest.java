@@ -16,13 +16,12 @@ import org.sami.boat.server.testing.Await;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.testing.SmallBoat;
 import org.sami.spn.value.GeoArea;
-import org.sami.spn.value.GeoPoint;
 
 /** The area in which boats may go as the fence of a vehicle. */
 @Timeout(900)
 class VehicleFenceTest {
-    private static final GeoArea WATER = area(45.69, 10.71, 0.02);
-    private static final GeoArea ROCK = area(45.701, 10.721, 0.001);
+    private static final GeoArea WATER = SquareArea.of(45.69, 10.71, 0.02);
+    private static final GeoArea ROCK = SquareArea.of(45.701, 10.721, 0.001);
     private static final List<MissionItem> FENCE = FenceItems.of(Optional.of(WATER), List.of(ROCK));
 
     @TempDir
@@ -41,16 +40,6 @@ class VehicleFenceTest {
     void end() throws Exception {
         client.close();
         boat.close();
-    }
-
-    private static GeoArea area(double lat, double lon, double size) {
-        return new GeoArea(
-                List.of(
-                        GeoPoint.of(lat, lon),
-                        GeoPoint.of(lat, lon + size),
-                        GeoPoint.of(lat + size, lon + size),
-                        GeoPoint.of(lat + size, lon)),
-                List.of());
     }
 
     private void isInForce() {
