@@ -105,7 +105,7 @@ final class ListUpload extends AbstractListTransfer {
         }
     }
 
-    /** How many items beyond the one that was asked for are sent with it: on a link that loses, one answer lost costs less so. */
+    /** How many items are sent in addition to the requested one: on a link that loses messages, a lost request then costs less time. */
     private int ahead() {
         return lost > MUCH_LOST ? 2 : lost > LITTLE_LOST ? 1 : 0;
     }
@@ -200,7 +200,7 @@ final class ListUpload extends AbstractListTransfer {
         }
     }
 
-    /** The item that it did not take, and its place; empty where it has refused before the first. */
+    /** The item that the vehicle refused, and its position; empty where it refused the list before the first item. */
     private String where() {
         if (asked < from) {
             return "";
