@@ -92,11 +92,7 @@ class SessionPageBasesTest {
         browser.click("#panel .start button.main");
         browser.click("#tabs button:nth-child(1)");
         browser.click("#panel button.row");
-        browser.click(".decision .draw button");
-        double[] middle = browser.middle("#map");
-        browser.press(middle[0], middle[1]);
-        browser.until("document.querySelector('.bar').textContent.startsWith('1 point')");
-        browser.click(".bar button.main");
+        ServedPage.drawPoint(browser);
         int first = port(holder);
         int second = standby.listensAt().getPort();
 

@@ -3,8 +3,6 @@ package org.sami.session.server;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -14,17 +12,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
-import org.sami.boat.link.SteadyClock;
-import org.sami.boat.server.tcp.TcpServerListener;
-import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.status.BoatTuning;
-import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
-import org.sami.crw.sim.boat.BoatOnTcp;
-import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.session.person.PersonRole;
 import org.sami.session.server.testing.ServedSession;
-import org.sami.spn.value.GeoPoint;
 
 /** Settings of a real boat, set by people over real sockets on loopback. */
 class SettingCommandsTest {
@@ -36,7 +27,7 @@ class SettingCommandsTest {
     private ServedSession served;
     private Session session;
     private SessionServer server;
-    private BoatOnTcp boat;
+    private MeasuringBoat boat;
 
     @BeforeEach
     void serve() throws Exception {
@@ -46,20 +37,8 @@ class SettingCommandsTest {
         session = served.session();
         server = served.serve();
         served.begin();
-        boat = new BoatOnTcp(
-                BoatSettings.of(
-                        "bella",
-                        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-                        GeoPoint.of(45.4, 10.9),
-                        1),
-                new SteadyClock(ProcessClock::ms),
-                TcpServerListener.NONE);
-        session.fleet()
-                .connect(new BoatAddress(
-                        boat.address().getAddress().getHostAddress(),
-                        boat.address().getPort()))
-                .toCompletableFuture()
-                .get();
+        boat = new MeasuringBoat();
+        boat.join(session);
     }
 
     @AfterEach
