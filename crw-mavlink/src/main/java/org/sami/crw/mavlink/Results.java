@@ -9,7 +9,7 @@ import java.util.function.Consumer;
 final class Results {
     private Results() {}
 
-    /** Calls one of the two on that thread: with the result, or with the reason in words why there is none. */
+    /** Calls {@code result} with the value on that thread; calls {@code fault} with the reason, in words, where the request failed. */
     static <T> void when(
             CompletableFuture<T> asked, Executor thread, Consumer<? super T> result, Consumer<String> fault) {
         var unused = asked.whenComplete((value, thrown) -> thread.execute(() -> Optional.ofNullable(thrown)

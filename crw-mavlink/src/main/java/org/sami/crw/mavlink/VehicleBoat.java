@@ -44,7 +44,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehicleCamera camera;
     private final VehicleFiles files;
     private final VehicleSensors sensors = new VehicleSensors();
-    private final OtherHands others = new OtherHands();
+    private final OtherController others = new OtherController();
     private Optional<BaseSession> session = Optional.empty();
     private VehicleSnapshot vehicle;
     private long saidMs; // time of the last telemetry

@@ -25,7 +25,7 @@ final class VehicleGivingWay {
     /** A boat with a rudder needs some headway to turn. */
     private static final double TURNING_MPS = 0.3;
 
-    /** The vehicle is ordered to be faster than it is by at most this: autopilots overshoot where they accelerate at once. */
+    /** The ordered speed exceeds the present one by at most this: autopilots overshoot where they accelerate at once. */
     private static final double GAIN_MPS = 0.4;
 
     private static final double ARRIVED_M = 2; // at a waypoint, as with an autopilot's WP_RADIUS
@@ -84,19 +84,19 @@ final class VehicleGivingWay {
         }
     }
 
-    /** Nobody is near yet. */
+    /** No other boat is near yet. */
     VehicleGivingWay(String boatId) {
         surroundings = new Surroundings(boatId);
         rule = new GivingWay(surroundings, motion, POSITION_ERROR_M, TURNING_MPS);
         station = new VehicleStation(surroundings, motion, POSITION_ERROR_M);
     }
 
-    /** The base says who is near. */
+    /** Receives the boats nearby from the base. */
     void update(Traffic traffic, long nowMs) {
         surroundings.update(traffic, nowMs);
     }
 
-    /** It is not under way by itself: it gives no way. */
+    /** The vehicle is not under way by itself: it does not give way. */
     void rest(long nowMs) {
         surroundings.tick(nowMs);
         leg = Optional.empty();

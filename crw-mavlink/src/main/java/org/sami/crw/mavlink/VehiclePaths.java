@@ -29,7 +29,7 @@ final class VehiclePaths {
     private final MissionStore store;
     private final VehicleArrival arrival;
     private final MissionWatch watch = new MissionWatch();
-    private final GateWatch gate = new GateWatch();
+    private final StalledListDetector gate = new StalledListDetector();
     private final Consumer<LinkMessage> broadcast;
     private final Runnable changed;
     private Optional<DrivenList> list;

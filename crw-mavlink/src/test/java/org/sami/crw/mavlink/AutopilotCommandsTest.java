@@ -70,11 +70,11 @@ class AutopilotCommandsTest {
     /** The vehicle does not say in which mode it is, and the gateway does not give that up meanwhile. */
     private void keepHeartbeats() {
         client.slow(true);
-        boat.beating(false);
+        boat.reports().beating(false);
     }
 
     private void sendHeartbeats() {
-        boat.beating(true);
+        boat.reports().beating(true);
         client.slow(false);
     }
 
@@ -103,7 +103,7 @@ class AutopilotCommandsTest {
     @Test
     void missionIsNotReplacedUnderAVehicleThatDoesNotKeepItsPlace() {
         drive();
-        boat.refuseMode(LOITER);
+        boat.faults().refuseMode(LOITER);
 
         assertThat(client.ask(upload("second")))
                 .isInstanceOfSatisfying(
@@ -112,13 +112,13 @@ class AutopilotCommandsTest {
         assertThat(client.ask(new ReadBack("read")))
                 .isInstanceOfSatisfying(
                         HeldWaypoints.class, held -> assertThat(held.listId()).isEqualTo("first"));
-        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.mission().uploads()).isEqualTo(1);
     }
 
     @Test
     void refusedOrderLeavesInForceWhatWasOrderedBefore() {
         drive();
-        boat.loseItsPlace();
+        boat.reports().loseEstimate();
         for (int i = 0; !(client.ask(new HoldPosition("hold " + i)) instanceof Nack); i++) {
             assertThat(boat.isArmed()).isTrue(); // until it is heard that the place is lost
         }
@@ -145,7 +145,7 @@ class AutopilotCommandsTest {
         long before = client.count(Telemetry.class);
         Await.until("what it holds has been seen", () -> client.count(Telemetry.class) > before + 2);
 
-        boat.loseMission();
+        boat.mission().lose();
 
         Await.until("it is noticed that it is taken", client::isObserver);
         client.untilAlarm("mav5 is taken by a pilot or another ground station (AUTO)");
@@ -154,8 +154,8 @@ class AutopilotCommandsTest {
 
     @Test
     void speedThatCannotBeDoesNotEndItsOtherReports() {
-        boat.claimSpeed(200);
-        boat.charge(10);
+        boat.reports().claimSpeed(200);
+        boat.reports().charge(10);
 
         Await.until(
                 "its charge is reported",
@@ -167,12 +167,12 @@ class AutopilotCommandsTest {
         assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
         assertThat(client.ask(new ReadBack("read"))).isInstanceOf(HeldWaypoints.class);
         assertThat(client.ask(new ReadBack("read again"))).isInstanceOf(HeldWaypoints.class);
-        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.mission().uploads()).isEqualTo(1);
 
-        boat.loseMission();
+        boat.mission().lose();
 
         assertThat(client.ask(new StartWaypoints("start", "first", 0))).isInstanceOf(Ack.class);
-        assertThat(boat.uploads()).isEqualTo(2);
+        assertThat(boat.mission().uploads()).isEqualTo(2);
     }
 
     @Test
@@ -180,19 +180,21 @@ class AutopilotCommandsTest {
         drive();
         boat.takenByPilot(MANUAL, true);
         Await.until("it is noticed that it is taken", client::isObserver);
-        boat.ownMission(IntStream.range(0, 9)
-                .mapToObj(i -> MissionItem.waypoint(i, 45.7, 10.72, 0, 0))
-                .toList());
+        boat.mission()
+                .put(IntStream.range(0, 9)
+                        .mapToObj(i -> MissionItem.waypoint(i, 45.7, 10.72, 0, 0))
+                        .toList());
         reports();
 
         boat.takenByPilot(AUTO, true);
 
-        Await.until("it follows the pilot's mission", () -> boat.visited().size() == 8);
+        Await.until(
+                "it follows the pilot's mission", () -> boat.mission().visited().size() == 8);
         reports();
         assertThat(client.last(Progress.class).map(Progress::nextIndex)).contains(0);
         client.takeCommand();
         assertThat(client.ask(new StartWaypoints("start again", "first", 0))).isInstanceOf(Ack.class);
-        assertThat(boat.uploads()).isEqualTo(2);
+        assertThat(boat.mission().uploads()).isEqualTo(2);
     }
 
     private void reports() {
@@ -255,7 +257,7 @@ class AutopilotCommandsTest {
     void waypointThatIsReachedBeforeTheStartIsAnsweredStaysReached() {
         List<Waypoint> near = List.of(new Waypoint(45.70002, 10.72, 1), new Waypoint(45.71, 10.72, 1));
         assertThat(client.ask(new UploadWaypoints("upload", "near", near))).isInstanceOf(Ack.class);
-        boat.ignoreSpeeds(true);
+        boat.faults().ignoresSpeeds(true);
         StartWaypoints start = new StartWaypoints("start", "near", 0);
         client.say(start);
         Await.until(
@@ -264,7 +266,7 @@ class AutopilotCommandsTest {
                         .filter(progress -> progress.nextIndex() == 1)
                         .isPresent());
 
-        boat.ignoreSpeeds(false);
+        boat.faults().ignoresSpeeds(false);
 
         assertThat(client.answerTo(start)).isInstanceOf(Ack.class);
         assertThat(client.last(Progress.class).map(Progress::nextIndex)).contains(1);

@@ -15,13 +15,12 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.testing.SmallCopter;
 import org.sami.spn.value.GeoArea;
-import org.sami.spn.value.GeoPoint;
 
 /** The area of a session of copters as the fence of each. */
 @Timeout(900)
 class CopterFenceTest {
-    private static final GeoArea FIELD = area(45.69, 10.71, 0.02);
-    private static final GeoArea TOWER = area(45.701, 10.721, 0.001);
+    private static final GeoArea FIELD = SquareArea.of(45.69, 10.71, 0.02);
+    private static final GeoArea TOWER = SquareArea.of(45.701, 10.721, 0.001);
     private static final List<MissionItem> FENCE = FenceItems.of(Optional.of(FIELD), List.of(TOWER));
 
     @TempDir
@@ -42,16 +41,6 @@ class CopterFenceTest {
         copter.close();
     }
 
-    private static GeoArea area(double lat, double lon, double size) {
-        return new GeoArea(
-                List.of(
-                        GeoPoint.of(lat, lon),
-                        GeoPoint.of(lat, lon + size),
-                        GeoPoint.of(lat + size, lon + size),
-                        GeoPoint.of(lat + size, lon)),
-                List.of());
-    }
-
     private void isInForce() {
         Await.until("its fence is in force", () -> copter.parameter("FENCE_ENABLE") == 1);
     }
@@ -61,14 +50,15 @@ class CopterFenceTest {
         client.keepTo(Optional.of(FIELD), List.of(TOWER), RobotKind.COPTER);
 
         isInForce();
-        assertThat(FenceItems.isHeld(FENCE, copter.fence())).isTrue();
+        assertThat(FenceItems.isHeld(FENCE, copter.fence().items())).isTrue();
         assertThat(copter.parameter("FENCE_TYPE")).as("altitude and polygons").isEqualTo(5);
         assertThat(copter.parameter("FENCE_ACTION")).as("brake or land").isEqualTo(4);
 
         client.keepTo(Optional.empty(), List.of(), RobotKind.COPTER);
         Await.until(
                 "it is taken away",
-                () -> copter.parameter("FENCE_ENABLE") == 0 && copter.fence().isEmpty());
+                () -> copter.parameter("FENCE_ENABLE") == 0
+                        && copter.fence().items().isEmpty());
     }
 
     @Test
@@ -80,6 +70,7 @@ class CopterFenceTest {
 
         Await.until(
                 "it is taken away",
-                () -> copter.parameter("FENCE_ENABLE") == 0 && copter.fence().isEmpty());
+                () -> copter.parameter("FENCE_ENABLE") == 0
+                        && copter.fence().items().isEmpty());
     }
 }

@@ -83,7 +83,7 @@ class LongPathTest {
                 "it is at the end",
                 WAIT_S,
                 () -> client.last(Progress.class).filter(Progress::completed).isPresent());
-        assertThat(boat.visited()).isEqualTo(places(HALF));
+        assertThat(boat.mission().visited()).isEqualTo(places(HALF));
     }
 
     private static List<List<Double>> places(List<Waypoint> waypoints) {
@@ -116,11 +116,11 @@ class LongPathTest {
             assertThat(world.faults).isEmpty();
         }
 
-        assertThat(boat.visited()).isEqualTo(places(PATH));
+        assertThat(boat.mission().visited()).isEqualTo(places(PATH));
         // the vehicle's time runs 150 times as fast as that in which parts are sent: a busy machine is late
         boolean quiet = Boolean.getBoolean("crw.vehicleMissions");
-        assertThat(boat.stops()).isLessThan(quiet ? 1 : 100);
-        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.mission().stops()).isLessThan(quiet ? 1 : 100);
+        assertThat(boat.mission().uploads()).isEqualTo(1);
         assertThat(boat.armings()).isEqualTo(1);
     }
 
@@ -128,14 +128,14 @@ class LongPathTest {
     void waitsAtTheEndOfItsPartWhileNothingComesThrough() {
         start();
         untilPassed(20);
-        boat.silent(true);
-        Await.untilStill("it waits", 3, () -> boat.visited().size());
-        assertThat(boat.visited()).hasSizeBetween(390, 600);
+        boat.reports().silent(true);
+        Await.untilStill("it waits", 3, () -> boat.mission().visited().size());
+        assertThat(boat.mission().visited()).hasSizeBetween(390, 600);
 
-        boat.silent(false);
+        boat.reports().silent(false);
 
         arrives();
-        assertThat(boat.stops()).isPositive();
+        assertThat(boat.mission().stops()).isPositive();
     }
 
     @Test
@@ -144,8 +144,10 @@ class LongPathTest {
         untilPassed(300);
         client.close();
         Await.untilStill(
-                "it waits at the end of its part", 3, () -> boat.visited().size());
-        int alone = boat.visited().size();
+                "it waits at the end of its part",
+                3,
+                () -> boat.mission().visited().size());
+        int alone = boat.mission().visited().size();
         assertThat(alone).isBetween(300, HALF.size() - 1);
 
         client = new LinkClient(folder, boat.address() + "/5");
@@ -159,7 +161,7 @@ class LongPathTest {
 
         arrives();
         // one that has come to the end of its part is sent the part from there on
-        assertThat(boat.uploads()).isBetween(1, 2);
+        assertThat(boat.mission().uploads()).isBetween(1, 2);
         assertThat(boat.armings()).isEqualTo(1);
     }
 
@@ -176,7 +178,7 @@ class LongPathTest {
                 "it is at the end",
                 WAIT_S,
                 () -> client.last(Progress.class).filter(Progress::completed).isPresent());
-        assertThat(boat.visited()).hasSize(50);
+        assertThat(boat.mission().visited()).hasSize(50);
     }
 
     @Test
@@ -191,16 +193,16 @@ class LongPathTest {
                 .isInstanceOfSatisfying(
                         HeldWaypoints.class,
                         held -> assertThat(held.waypoints()).isEqualTo(other));
-        assertThat(boat.uploads()).isEqualTo(2);
+        assertThat(boat.mission().uploads()).isEqualTo(2);
     }
 
     @Test
     void partThatItRefusesIsAnAlarmAndTriedAgain() {
         start();
-        boat.refuseMissions(true);
+        boat.mission().refuse(true);
 
         client.untilAlarm("vehicle 5 has not taken the next part of its path, and waits where its part ends: ");
-        boat.refuseMissions(false);
+        boat.mission().refuse(false);
 
         arrives();
     }

@@ -100,7 +100,7 @@ class StepAsideTest {
 
         assertThat(client.isObserver()).isFalse();
         Await.until("it gives way to nobody", WAIT_S, () -> givesWayTo().isEmpty());
-        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.mission().uploads()).isEqualTo(1);
         assertThat(client.last(Progress.class).orElseThrow().nextIndex()).isZero();
     }
 
@@ -179,7 +179,7 @@ class StepAsideTest {
 
     @Test
     void goesOnAlongItsMissionWhereItCannotBeSteered() {
-        boat.refuseMode(GUIDED);
+        boat.faults().refuseMode(GUIDED);
 
         whileABoatLiesAhead("the operator knows", () -> client.hasAlarm("cannot give way to anna"));
 

@@ -152,7 +152,7 @@ class VehicleBoatTest {
 
         completes("p3");
 
-        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.mission().uploads()).isEqualTo(1);
         assertThat(boat.armings()).isEqualTo(1);
         assertThat(boat.mode()).isEqualTo(AUTO);
         assertThat(metresTo(THIRD)).isLessThan(NEAR_M);
@@ -169,7 +169,7 @@ class VehicleBoatTest {
         submit(path(SECOND, FIRST));
 
         completes("p2");
-        assertThat(boat.uploads()).isEqualTo(2);
+        assertThat(boat.mission().uploads()).isEqualTo(2);
         assertThat(metresTo(FIRST)).isLessThan(NEAR_M);
     }
 
@@ -179,7 +179,7 @@ class VehicleBoatTest {
 
         completes("p1");
 
-        assertThat(boat.uploads()).isZero();
+        assertThat(boat.mission().uploads()).isZero();
         assertThat(boat.mode()).isEqualTo(GUIDED);
         assertThat(metresTo(FIRST)).isLessThan(NEAR_M);
     }
@@ -213,7 +213,7 @@ class VehicleBoatTest {
         assertThat(boat.mode()).isEqualTo(MANUAL);
         world.tell(BOAT, proxy -> proxy.handOver().takeCommand());
         completes("p3");
-        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.mission().uploads()).isEqualTo(1);
     }
 
     @Test
@@ -238,7 +238,7 @@ class VehicleBoatTest {
 
     @Test
     void refusalsAreInTheAutopilotsWords() {
-        boat.refuseArming("PreArm: GPS 1: Bad fix");
+        boat.faults().refuseArming("PreArm: GPS 1: Bad fix");
 
         submit(path(FIRST));
 
@@ -270,10 +270,10 @@ class VehicleBoatTest {
 
     @Test
     void itsSilenceIsALostLink() {
-        boat.silent(true);
+        boat.reports().silent(true);
 
         world.until("the link is lost", BOAT, proxy -> proxy.status().link() == LinkState.LOST);
-        boat.silent(false);
+        boat.reports().silent(false);
         world.untilReady(BOAT);
     }
 
@@ -299,7 +299,7 @@ class VehicleBoatTest {
         connectNextBase();
         goesOnAlong(list);
 
-        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.mission().uploads()).isEqualTo(1);
         assertThat(boat.armings()).isEqualTo(1);
     }
 
@@ -314,9 +314,12 @@ class VehicleBoatTest {
 
     @Test
     void isAskedAgainWhenItNoLongerSaysWhereItIs() {
-        boat.forgetToSayWhere();
+        boat.reports().forgetPosition();
 
-        Await.until("it says again where it is", GatewayWorld.WAIT_S, boat::saysWhere);
+        Await.until(
+                "it says again where it is",
+                GatewayWorld.WAIT_S,
+                () -> boat.reports().hasPosition());
     }
 
     @Test
@@ -324,9 +327,9 @@ class VehicleBoatTest {
         submit(path(FIRST, SECOND, THIRD));
         world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
 
-        boat.silent(true);
+        boat.reports().silent(true);
         world.until("the link is lost", BOAT, proxy -> proxy.status().link() == LinkState.LOST);
-        boat.silent(false);
+        boat.reports().silent(false);
 
         completes("p3");
         assertThat(boat.orderedModes()).doesNotContain(LOITER);
@@ -393,11 +396,11 @@ class VehicleBoatTest {
         connectNextBase();
         goesOnAlong(list);
 
-        assertThat(boat.visited())
+        assertThat(boat.mission().visited())
                 .containsExactly(
                         List.of(FIRST.latDeg(), FIRST.lonDeg()),
                         List.of(SECOND.latDeg(), SECOND.lonDeg()),
                         List.of(THIRD.latDeg(), THIRD.lonDeg()));
-        assertThat(boat.uploads()).isEqualTo(1);
+        assertThat(boat.mission().uploads()).isEqualTo(1);
     }
 }

@@ -63,7 +63,7 @@ class VehicleFenceStepsTest {
     }
 
     private void holds(List<MissionItem> fence) {
-        boat.ownFence(fence);
+        boat.fence().put(fence);
         base.setParameter(ID, ENABLE, 1).join();
     }
 
@@ -85,7 +85,7 @@ class VehicleFenceStepsTest {
         fence.tick(AREAS_COME_MS, true);
 
         until("nothing is kept", () -> kept.isEmpty());
-        assertThat(boat.fence()).isEmpty();
+        assertThat(boat.fence().items()).isEmpty();
         assertThat(boat.parameter(ENABLE)).isZero();
         assertThat(alarms).isEmpty();
     }
@@ -103,7 +103,7 @@ class VehicleFenceStepsTest {
         fence.tick(AREAS_COME_MS, true);
 
         until("it heeds it", () -> boat.parameter("FENCE_ACTION") == 2);
-        assertThat(boat.fences()).isZero();
+        assertThat(boat.fence().uploads()).isZero();
         assertThat(boat.parameter(ENABLE)).isEqualTo(1);
     }
 
@@ -116,7 +116,7 @@ class VehicleFenceStepsTest {
         fence.tick(AREAS_COME_MS, true);
 
         until("nothing is kept", () -> kept.isEmpty());
-        assertThat(boat.fence()).isEqualTo(OTHER);
+        assertThat(boat.fence().items()).isEqualTo(OTHER);
         assertThat(boat.parameter(ENABLE)).isEqualTo(1);
     }
 
@@ -133,8 +133,8 @@ class VehicleFenceStepsTest {
         fence.tick(1, true);
 
         until("nothing is kept", () -> kept.isEmpty());
-        assertThat(boat.fence()).isEqualTo(OTHER);
-        assertThat(boat.fences()).isZero();
+        assertThat(boat.fence().items()).isEqualTo(OTHER);
+        assertThat(boat.fence().uploads()).isZero();
         assertThat(boat.parameter(ENABLE)).isEqualTo(1);
     }
 }

@@ -16,13 +16,12 @@ import org.sami.boat.server.testing.Await;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.testing.SmallBoat;
 import org.sami.spn.value.GeoArea;
-import org.sami.spn.value.GeoPoint;
 
 /** The area in which boats may go as the fence of a vehicle. */
 @Timeout(900)
 class VehicleFenceTest {
-    private static final GeoArea WATER = area(45.69, 10.71, 0.02);
-    private static final GeoArea ROCK = area(45.701, 10.721, 0.001);
+    private static final GeoArea WATER = SquareArea.of(45.69, 10.71, 0.02);
+    private static final GeoArea ROCK = SquareArea.of(45.701, 10.721, 0.001);
     private static final List<MissionItem> FENCE = FenceItems.of(Optional.of(WATER), List.of(ROCK));
 
     @TempDir
@@ -43,16 +42,6 @@ class VehicleFenceTest {
         boat.close();
     }
 
-    private static GeoArea area(double lat, double lon, double size) {
-        return new GeoArea(
-                List.of(
-                        GeoPoint.of(lat, lon),
-                        GeoPoint.of(lat, lon + size),
-                        GeoPoint.of(lat + size, lon + size),
-                        GeoPoint.of(lat + size, lon)),
-                List.of());
-    }
-
     private void isInForce() {
         Await.until("its fence is in force", () -> boat.parameter("FENCE_ENABLE") == 1);
     }
@@ -62,8 +51,8 @@ class VehicleFenceTest {
         client.keepTo(Optional.of(WATER), List.of(ROCK));
 
         isInForce();
-        assertThat(FenceItems.isHeld(FENCE, boat.fence())).isTrue();
-        assertThat(boat.fence())
+        assertThat(FenceItems.isHeld(FENCE, boat.fence().items())).isTrue();
+        assertThat(boat.fence().items())
                 .extracting(MissionItem::command)
                 .containsExactly(5001, 5001, 5001, 5001, 5002, 5002, 5002, 5002);
         assertThat(boat.parameter("FENCE_TYPE")).isEqualTo(4);
@@ -72,35 +61,35 @@ class VehicleFenceTest {
 
     @Test
     void fenceThatItHoldsAlreadyIsNotSent() {
-        boat.ownFence(FENCE);
+        boat.fence().put(FENCE);
 
         client.keepTo(Optional.of(WATER), List.of(ROCK));
 
         isInForce();
-        assertThat(boat.fences()).isZero();
+        assertThat(boat.fence().uploads()).isZero();
     }
 
     @Test
     void fenceOfItsOwnerIsReplacedWithAWord() {
-        boat.ownFence(FenceItems.of(Optional.of(ROCK), List.of()));
+        boat.fence().put(FenceItems.of(Optional.of(ROCK), List.of()));
 
         client.keepTo(Optional.of(WATER), List.of(ROCK));
 
         client.untilAlarm("vehicle 5 held a fence of its own with 4 corners");
         isInForce();
-        assertThat(FenceItems.isHeld(FENCE, boat.fence())).isTrue();
+        assertThat(FenceItems.isHeld(FENCE, boat.fence().items())).isTrue();
     }
 
     @Test
     void withoutAreasItsFenceIsItsOwners() {
         List<MissionItem> own = FenceItems.of(Optional.of(ROCK), List.of());
-        boat.ownFence(own);
+        boat.fence().put(own);
 
         client.keepTo(Optional.empty(), List.of());
         assertThat(client.ask(new HoldPosition("hold"))).isInstanceOf(Ack.class); // time passes
 
-        assertThat(boat.fence()).isEqualTo(own);
-        assertThat(boat.fences()).isZero();
+        assertThat(boat.fence().items()).isEqualTo(own);
+        assertThat(boat.fence().uploads()).isZero();
         assertThat(boat.parameter("FENCE_ENABLE")).isZero();
     }
 
@@ -111,13 +100,13 @@ class VehicleFenceTest {
 
         client.keepTo(Optional.empty(), List.of());
 
-        Await.until("it is gone", () -> boat.fence().isEmpty());
+        Await.until("it is gone", () -> boat.fence().items().isEmpty());
         assertThat(boat.parameter("FENCE_ENABLE")).isZero();
     }
 
     @Test
     void cornerThatItRefusesIsNamed() {
-        boat.refuseCorner(6);
+        boat.fence().refuseCorner(6);
 
         client.keepTo(Optional.of(WATER), List.of(ROCK));
 
@@ -130,7 +119,7 @@ class VehicleFenceTest {
         client.keepTo(Optional.of(WATER), List.of(ROCK));
         isInForce();
 
-        boat.outsideFence(true);
+        boat.fence().outside(true);
 
         client.untilAlarm("mav5 says that it is outside of its own fence");
     }
@@ -144,7 +133,7 @@ class VehicleFenceTest {
         client = new LinkClient(folder, boat.address() + "/5");
         client.keepTo(Optional.of(WATER), List.of());
 
-        Await.until("its fence is another", () -> boat.fence().size() == 4);
+        Await.until("its fence is another", () -> boat.fence().items().size() == 4);
         assertThat(client.hasAlarm("a fence of its own")).isFalse();
     }
 }

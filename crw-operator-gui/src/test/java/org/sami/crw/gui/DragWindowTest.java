@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import javax.swing.JLabel;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -21,6 +23,7 @@ import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TaskId;
+import org.sami.ui.check.LabelTexts;
 import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 
@@ -53,6 +56,9 @@ class DragWindowTest {
             DividedTasks.of(window.session(), LOCATIONS);
             robot.press(VK_9, VK_ALT);
             JTable table = robot.find(JTable.class, "allocation-table");
+            robot.until(
+                    "a row of each task",
+                    () -> tasks(table) == LOCATIONS.items().size());
             Map<String, List<TaskId>> before = queues(window);
             String from = before.entrySet().stream()
                     .filter(boat -> !boat.getValue().isEmpty())
@@ -61,6 +67,7 @@ class DragWindowTest {
                     .getKey();
             String to = from.equals("bert") ? "anna" : "bert";
             TaskId task = before.get(from).get(0);
+            LabelTexts notices = LabelTexts.of(robot.find(JLabel.class, "notice"));
 
             assertThat(robot.drag(table, robot.rowAt(table, from), table, robot.rowAt(table, to)))
                     .isTrue();
@@ -69,8 +76,14 @@ class DragWindowTest {
                     to + " has it",
                     () -> queues(window).getOrDefault(to, List.of()).contains(task));
             assertThat(queues(window).getOrDefault(from, List.of())).doesNotContain(task);
-            robot.untilSaid("notice", task.name());
+            robot.until("the notice names the task", () -> notices.had(task.name()));
         }
+    }
+
+    private static long tasks(JTable table) {
+        return IntStream.range(0, table.getRowCount())
+                .filter(row -> !"no task".equals(table.getValueAt(row, 2)))
+                .count();
     }
 
     private static Map<String, List<TaskId>> queues(OperatorWindow window) {

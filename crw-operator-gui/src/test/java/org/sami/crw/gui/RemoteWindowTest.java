@@ -7,11 +7,8 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.LocalTime;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
@@ -23,38 +20,18 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.ProcessClock;
-import org.sami.crw.gui.remote.ConnectionBand;
 import org.sami.crw.gui.remote.RemoteWindow;
-import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionSetup;
-import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
-import org.sami.palette.Theme;
-import org.sami.session.client.KnownServers;
-import org.sami.session.client.Login;
-import org.sami.session.client.RemoteSession;
-import org.sami.session.client.ServerTrust;
-import org.sami.session.client.SessionAddress;
-import org.sami.session.person.PeopleFile;
-import org.sami.session.person.Person;
-import org.sami.session.person.PersonKey;
 import org.sami.session.person.PersonRole;
-import org.sami.session.server.ServerAddress;
 import org.sami.session.server.SessionServer;
-import org.sami.spn.journal.JournalHeader;
-import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.json.ProjectReader;
-import org.sami.spn.model.Project;
+import org.sami.session.server.testing.ServedSession;
 import org.sami.spn.value.GeoPoint;
-import org.sami.ui.EventThread;
 import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.command.Command;
-import org.sami.ui.look.Look;
 import org.sami.ui.value.WrappedText;
-import org.sami.ui.window.WindowSettings;
 
 /** The operator's window over a session behind a real server: a question answered by pressing, the fleet stopped, the server gone. */
 @Tag("window")
@@ -80,18 +57,12 @@ class RemoteWindowTest {
     @Test
     void showsTheSessionAnswersStopsAndSaysWhenTheServerIsGone() throws Exception {
         RealDisplay.assumed();
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        Project project = new ProjectReader(library.vocabulary()).read(PROJECT).orThrow();
-        JournalHeader header = JournalHeader.of(PROJECT, library.files().texts(), Map.of());
-        PeopleFile people = new PeopleFile(folder.resolve("people"));
-        people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
-        try (Session session =
-                Session.open(SessionSetup.of(library.vocabulary(), project).with(SessionJournal.none(header)))) {
-            SessionServer server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
-            session.begin();
-            RemoteWindow window = open(server, ended);
+        try (ServedSession served = ServedSession.ofProject(PROJECT, folder).with("anna", PersonRole.OPERATOR)) {
+            Session session = served.session();
+            SessionServer server = served.serve();
+            served.begin();
+            OpenedRemoteWindow opened = new OpenedRemoteWindow(server, folder);
+            RemoteWindow window = opened.window();
             WindowRobot robot = new WindowRobot();
             robot.untilSaid("connection", "Session at ws://127.0.0.1:");
 
@@ -108,10 +79,7 @@ class RemoteWindowTest {
                     "the answer has arrived",
                     () -> session.models().decisions().snapshot().isEmpty());
 
-            WindowRobot.ask(() -> {
-                window.commands().get("fleet-stop").run();
-                return true;
-            });
+            opened.run("fleet-stop");
             robot.until(
                     "the fleet is stopped",
                     () -> session.models().fleetStop().snapshot().everyBoat());
@@ -121,11 +89,7 @@ class RemoteWindowTest {
             robot.until(
                     "the loss is said",
                     () -> robot.find(JLabel.class, "connection").getText().contains("connection lost ("));
-            WindowRobot.ask(() -> {
-                window.end();
-                return true;
-            });
-            assertThat(ended.get(300, TimeUnit.SECONDS)).isZero();
+            assertThat(opened.end()).isZero();
             assertThat(session.faults().failure()).isEmpty();
         }
     }
@@ -133,18 +97,11 @@ class RemoteWindowTest {
     @Test
     void observerSeesWhatItMayNotDoAsLockedAndCanStopTheFleet() throws Exception {
         RealDisplay.assumed();
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        Project project = new ProjectReader(library.vocabulary()).read(PROJECT).orThrow();
-        JournalHeader header = JournalHeader.of(PROJECT, library.files().texts(), Map.of());
-        PeopleFile people = new PeopleFile(folder.resolve("people"));
-        people.add(new Person("anna", PersonRole.OBSERVER, List.of(), PersonKey.hash("key of anna")));
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
-        try (Session session = Session.open(
-                        SessionSetup.of(library.vocabulary(), project).with(SessionJournal.none(header)));
-                SessionServer server = SessionServer.start(session, people, ServerAddress.onThisMachine(0))) {
-            session.begin();
-            RemoteWindow window = open(server, ended);
+        try (ServedSession served = ServedSession.ofProject(PROJECT, folder).with("anna", PersonRole.OBSERVER);
+                SessionServer server = served.serve()) {
+            served.begin();
+            OpenedRemoteWindow opened = new OpenedRemoteWindow(server, folder);
+            RemoteWindow window = opened.window();
             WindowRobot robot = new WindowRobot();
             robot.untilSaid("connection", "Session at ws://127.0.0.1:");
 
@@ -181,27 +138,15 @@ class RemoteWindowTest {
                             "boat-set-velocity",
                             "boat-set-lost-link");
             assertThat(window.commands().get("fleet-stop").isEnabled()).isTrue();
-            WindowRobot.ask(() -> {
-                window.end();
-                return true;
-            });
-            assertThat(ended.get(300, TimeUnit.SECONDS)).isZero();
+            assertThat(opened.end()).isZero();
         }
     }
 
     @Test
     void connectsABoatAndSetsItsSettingsUntilTheRoleIsAnother() throws Exception {
         RealDisplay.assumed();
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        Project project = new ProjectReader(library.vocabulary()).read(PROJECT).orThrow();
-        JournalHeader header = JournalHeader.of(PROJECT, library.files().texts(), Map.of());
-        PeopleFile people = new PeopleFile(folder.resolve("people"));
-        people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
-        CompletableFuture<Integer> ended = new CompletableFuture<>();
-        try (Session session = Session.open(
-                        SessionSetup.of(library.vocabulary(), project).with(SessionJournal.none(header)));
-                SessionServer server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
+        try (ServedSession served = ServedSession.ofProject(PROJECT, folder).with("anna", PersonRole.OPERATOR);
+                SessionServer server = served.serve();
                 BoatOnTcp boat = new BoatOnTcp(
                         BoatSettings.of(
                                 "bella",
@@ -210,14 +155,12 @@ class RemoteWindowTest {
                                 1),
                         new SteadyClock(ProcessClock::ms),
                         TcpServerListener.NONE)) {
-            session.begin();
-            RemoteWindow window = open(server, ended);
+            served.begin();
+            OpenedRemoteWindow opened = new OpenedRemoteWindow(server, folder);
+            RemoteWindow window = opened.window();
             WindowRobot robot = new WindowRobot();
             robot.untilSaid("connection", "Session at ws://127.0.0.1:");
-            WindowRobot.ask(() -> {
-                window.commands().get("boat-connect").run();
-                return true;
-            });
+            opened.run("boat-connect");
             JTextField address = robot.find(JTextField.class, "boat-connect-address");
             AbstractButton connect = robot.find(AbstractButton.class, "boat-connect-do");
             WindowRobot.ask(() -> {
@@ -232,10 +175,7 @@ class RemoteWindowTest {
                             .equals("✓ 127.0.0.1:" + boat.address().getPort() + " is connected as bella"));
             robot.press(KeyEvent.VK_ESCAPE);
             robot.clickRow("boats-table", "bella");
-            WindowRobot.ask(() -> {
-                window.commands().get("panel-boat").run();
-                return true;
-            });
+            opened.run("panel-boat");
             JTabbedPane tabs = robot.find(JTabbedPane.class, "boat-tabs");
             WindowRobot.ask(() -> {
                 tabs.setSelectedIndex(tabs.indexOfTab("Settings"));
@@ -253,7 +193,9 @@ class RemoteWindowTest {
             });
             robot.until("it is taken", () -> said(robot, "boat-velocity-now").equals("in force: 0.5   ✓ taken"));
 
-            Files.writeString(people.file(), Files.readString(people.file()).replace("operator", "pilot"));
+            Files.writeString(
+                    served.people().file(),
+                    Files.readString(served.people().file()).replace("operator", "pilot"));
             robot.until(
                     "the window knows the role",
                     () -> window.commands()
@@ -262,41 +204,17 @@ class RemoteWindowTest {
                             .equals(Optional.of("your role in this session, pilot, may not set up boats")));
             assertThat(window.commands().get("boat-by-hand").whyNot().orElse(""))
                     .doesNotContain("your role");
-            Files.writeString(people.file(), Files.readString(people.file()).replace("pilot", "operator"));
+            Files.writeString(
+                    served.people().file(),
+                    Files.readString(served.people().file()).replace("pilot", "operator"));
             robot.until(
                     "the lock is ended",
                     () -> window.commands().get("boat-set-velocity").whyNot().isEmpty());
-            WindowRobot.ask(() -> {
-                window.end();
-                return true;
-            });
-            assertThat(ended.get(300, TimeUnit.SECONDS)).isZero();
+            assertThat(opened.end()).isZero();
         }
     }
 
     private static String said(WindowRobot robot, String label) {
         return robot.find(JLabel.class, label).getText();
-    }
-
-    private RemoteWindow open(SessionServer server, CompletableFuture<Integer> ended) throws Exception {
-        DataDirectory data = DataDirectory.openForSessionElsewhere(folder);
-        WindowSettings settings = new WindowSettings(data.settings());
-        ConnectionBand band = EventThread.get(() -> {
-            Look.apply(Theme.LIGHT, 100);
-            return new ConnectionBand();
-        });
-        RemoteSession session = RemoteSession.open(
-                List.of(SessionAddress.parse(
-                        "ws://127.0.0.1:" + server.listensAt().getPort())),
-                new Login("anna", "key of anna"),
-                new ServerTrust(new KnownServers(folder.resolve("servers")), (authority, print) -> false),
-                EventThread.executor(),
-                band,
-                LocalTime::now);
-        return EventThread.get(() -> {
-            RemoteWindow made = new RemoteWindow(session, band, data, settings, ended::complete);
-            made.open();
-            return made;
-        });
     }
 }

@@ -36,7 +36,7 @@ public final class DatabaseFaults {
 
     private DatabaseFaults() {}
 
-    /** Why the database does not do it. */
+    /** Why the database refused a statement. */
     public static String words(SQLException fault) {
         for (Throwable cause = fault; cause != null; cause = cause.getCause()) {
             if (cause instanceof UnknownHostException) {

@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.util.Optional;
 
 /**
- * Judges a lease by how long its row stands still before the eyes of a standby: where the row comes from another machine's database, that machine's clock says nothing here. The standby looks
- * by its own monotonic clock. A holder renews the row and asks that the replica has applied it; its own limit counts from before it asked, so it is over before this says so.
+ * Judges a lease by how long a standby has seen its row unchanged: the row comes from another machine's database, whose clock the standby cannot use. The standby measures with its own
+ * monotonic clock. The holder renews the row and waits until the replica has applied it. It counts its own limit from before that request, so its lease ends before the standby judges it over.
  *
  * <p>Whether the holder counts on this standby stands in the row. A standby that was away, as its database did not answer or its machine slept, may have missed that it no longer does: it has to
  * see the row renewed again before it goes on by itself.
@@ -67,7 +67,7 @@ final class LeaseObservation {
         return mayTake ? Verdict.OVER : Verdict.STANDS_STILL;
     }
 
-    /** What was seen before counts no longer: the database was away, and the holder may have been told to go on alone meanwhile. */
+    /** Forgets what was seen: the database did not answer, and meanwhile the holder may have been told to go on alone. */
     void forget() {
         seen = Optional.empty();
         renewed = false;

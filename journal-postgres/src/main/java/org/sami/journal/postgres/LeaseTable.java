@@ -9,21 +9,21 @@ import java.util.Optional;
 import java.util.OptionalLong;
 
 /**
- * The row that says who may write. Its epoch only grows: with each holder, and by more where a standby became the database. Whoever appends locks the row's key in the transaction of the
- * append; whoever takes over changes the key. So a take-over waits for appends under way, and an append behind it finds no row of its epoch. What counts is the clock of the one database that
- * all bases ask; where two databases have the row, as one replicates the other, a standby judges it by {@link LeaseObservation}.
+ * The row that names the base that may write a journal. Its epoch grows with each holder, and by more where a replica became the database. An append locks the row's key in its own
+ * transaction; a take-over changes the key. So a take-over waits for appends under way, and a later append of the old holder finds no row of its epoch. Leases are timed by the clock of the
+ * database that all bases ask. Where one database replicates another, so that both have the row, a standby judges it by {@link LeaseObservation}.
  */
 final class LeaseTable {
     /** How a lease stands. */
     enum Standing {
         HELD,
-        /** Nobody else has taken it. */
+        /** The holder still has it: no other base has taken it. */
         ENDED,
         SUPERSEDED
     }
 
     /**
-     * Who holds it.
+     * The holder of a lease.
      *
      * @param left how long it lasts still, by the database's clock; not positive where it is over
      * @param ends when it is over, by the clock of the database that wrote it; {@link #GIVEN_BACK} where it was given back
@@ -44,14 +44,14 @@ final class LeaseTable {
 
     private static final String GIVEN_BACK = "-infinity";
 
-    /** In the database of a pair: the standby may go on by itself, and is counted on at present. */
+    /** In the database of a pair: the holder counts on its standby at present, which may go on by itself. */
     private static final String STANDBY_MAY_TAKE = "(current_setting('synchronous_standby_names') <> ''"
             + " AND coalesce(current_setting('" + PairSetting.NAME + "', true), '') = '" + PairSetting.TAKE_OVER
             + "')";
 
     /**
-     * The epoch of the next holder. Where a standby became the database, its timeline grew: its epochs are higher than any that the database which it left can still give, however often
-     * somebody goes on there.
+     * The epoch of the next holder. A replica that became the database has a higher timeline. Its epochs are then higher than any that the other database can still give, however often a
+     * base goes on there.
      */
     private static final String NEXT_EPOCH = "CASE WHEN coalesce(current_setting('" + PairSetting.NAME
             + "', true), '') = '' THEN epoch + 1 ELSE greatest(epoch + 1, 1 + " + PairSetting.EPOCHS_OF_A_TIMELINE
@@ -68,7 +68,7 @@ final class LeaseTable {
         }
     }
 
-    /** Takes the lease that somebody saw standing still for longer than it lasts, where nobody renewed or took it since; gives its epoch. */
+    /** Takes a lease whose row a standby has seen unchanged for longer than the lease lasts, unless somebody has renewed or taken it since; gives its epoch. */
     static OptionalLong takeSeen(Connection connection, String holder, Duration length, Holder seen)
             throws SQLException {
         try (PreparedStatement update = connection.prepareStatement(taking("epoch = ? AND ends = ?::timestamptz"))) {
@@ -93,7 +93,7 @@ final class LeaseTable {
         }
     }
 
-    /** Lets it last longer, also where it was over and nobody has taken it; false if somebody has. */
+    /** Renews the lease, also where it was over and no other base has taken it; false if another base has. */
     static boolean renew(Connection connection, long epoch, Duration length) throws SQLException {
         try (PreparedStatement update =
                 connection.prepareStatement("UPDATE lease SET ends = clock_timestamp() + ? * interval '1 ms',"
@@ -118,7 +118,7 @@ final class LeaseTable {
         }
     }
 
-    /** Gives it back: it is over now, by every clock. */
+    /** Gives the lease back: it is over at once, by every clock. */
     static void release(Connection connection, long epoch) throws SQLException {
         try (PreparedStatement update =
                 connection.prepareStatement("UPDATE lease SET ends = '" + GIVEN_BACK + "' WHERE epoch = ?")) {
@@ -128,7 +128,7 @@ final class LeaseTable {
     }
 
     /**
-     * Takes it from its holder, who finds out with its next renewal or append, and leaves it to the base that waits.
+     * Takes the lease from its holder and leaves it to the base that waits. The holder learns of it by its next renewal or append.
      *
      * @param by who does it, as the replaced base is told
      * @return who held it; empty where nobody did

@@ -10,8 +10,8 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
- * Waits for the end of another's lease and takes it then; of several that wait, the others go on waiting. A database that is gone meanwhile is asked again until it answers. Where the database
- * is one of a pair, the lease is judged by {@link LeaseObservation}, and a replica becomes the database before the lease is taken.
+ * Waits until another base's lease ends, then takes it. If several bases wait, one takes it and the others go on waiting. A database that does not answer is asked again until it does. In a
+ * pair the lease is judged by {@link LeaseObservation}, and a replica becomes the database before the lease is taken.
  */
 final class LeaseWatch {
     private static final long LOOK_MILLIS = 100;
@@ -35,7 +35,7 @@ final class LeaseWatch {
         /** Takes it where it is over by the database's clock; empty if another was faster. */
         Optional<Lease> takeIfFree() throws SQLException;
 
-        /** Takes it as it was seen standing still; empty if somebody renewed or took it. */
+        /** Takes a lease whose row was seen unchanged; empty if somebody has renewed or taken it. */
         Optional<Lease> takeSeen(LeaseTable.Holder seen) throws SQLException;
     }
 
@@ -148,7 +148,7 @@ final class LeaseWatch {
         };
     }
 
-    /** Whether what the database says is of now: it is no replica, or one that gets what is written and has applied it for a while. */
+    /** Whether the database is up to date: it is no replica, or a replica that has received and applied changes for a while. */
     private boolean isOfNow(Connection connection) throws SQLException {
         boolean follows = Connections.text(
                         connection,
@@ -164,7 +164,7 @@ final class LeaseWatch {
         return followsSince.isPresent() && now - followsSince.get() >= FOLLOWED_NANOS;
     }
 
-    /** Has a replica become the database. */
+    /** Promotes the replica to be the database. */
     private void promote(Connection connection) throws SQLException {
         if (!isReplica(connection)) {
             promoted = true;

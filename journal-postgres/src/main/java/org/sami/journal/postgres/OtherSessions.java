@@ -13,8 +13,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The other sessions in the database of a pair. A replica becomes the database as a whole: it must not while one of them goes on at the other base. Judged as {@link LeaseObservation} does, by how
- * long the row of a lease stands still.
+ * The other sessions in the database of a pair. A replica becomes the database for all sessions at once, so it must not while one of them goes on at the other base. A session goes on while the row of
+ * its lease changes, as {@link LeaseObservation} judges it.
  */
 final class OtherSessions {
     private static final long LOOK_NANOS = 500_000_000;
@@ -27,7 +27,7 @@ final class OtherSessions {
     /**
      * A row of a lease.
      *
-     * @param sinceNanos since when it stands still
+     * @param sinceNanos when the row was first seen as it is now
      */
     private record Seen(String row, long sinceNanos) {}
 

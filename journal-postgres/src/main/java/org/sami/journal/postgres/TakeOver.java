@@ -4,7 +4,7 @@ import java.sql.Connection;
 import java.sql.SQLException;
 import java.util.Optional;
 
-/** Takes a session from the base that holds it, at a person's word, for the base that waits as its standby. */
+/** Takes a session from the base that holds it and leaves it to the standby, on the order of a person. */
 public final class TakeOver {
     private static final int ANSWER_SECONDS = 8;
 

@@ -10,7 +10,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 
-/** Has telemetry written soon after it came, on a daemon thread of its own, where no batch takes it along before. */
+/** Writes telemetry soon after it arrives, on a daemon thread, unless a batch of entries has written it before. */
 final class TelemetryFlush implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(TelemetryFlush.class.getName());
     private static final long DELAY_MILLIS = 50;
@@ -20,7 +20,7 @@ final class TelemetryFlush implements AutoCloseable {
     private volatile @Nullable Future<?> next;
     private final AtomicBoolean waiting = new AtomicBoolean();
 
-    /** Work that may fail; its owner keeps what could not be written, and says so when it is asked. */
+    /** Writing that may fail. Its owner keeps the rows that could not be written and reports the failure when it is asked. */
     @FunctionalInterface
     interface Writing {
         void run() throws IOException;
@@ -35,7 +35,7 @@ final class TelemetryFlush implements AutoCloseable {
         });
     }
 
-    /** Something came. */
+    /** Telemetry has arrived. */
     void soon() {
         if (waiting.compareAndSet(false, true)) {
             try {

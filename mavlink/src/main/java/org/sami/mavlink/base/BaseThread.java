@@ -7,7 +7,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
-/** The thread that owns what bases know: one of each base, or one for many, which wakes as often for all of them as for one. Safe for use by several threads. */
+/** The thread that owns the state of one base, or of several, so that it wakes as often for several as for one. Safe for use by several threads. */
 public final class BaseThread implements AutoCloseable {
     /** Between two ticks. */
     static final long TICK_MS = 100;

@@ -1,27 +1,19 @@
 package org.sami.mavlink.base;
 
-import io.dronefleet.mavlink.minimal.Heartbeat;
-import io.dronefleet.mavlink.minimal.MavAutopilot;
-import io.dronefleet.mavlink.minimal.MavState;
-import io.dronefleet.mavlink.minimal.MavType;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.Semaphore;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.command.CommandOutcome;
 import org.sami.mavlink.command.GuidedCourse;
@@ -29,8 +21,6 @@ import org.sami.mavlink.command.GuidedTarget;
 import org.sami.mavlink.command.HandControl;
 import org.sami.mavlink.command.RadioOverride;
 import org.sami.mavlink.command.VehicleCommand;
-import org.sami.mavlink.link.LinkEnd;
-import org.sami.mavlink.link.MavlinkLink;
 import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.link.ReceivedMessage;
 import org.sami.mavlink.mission.HeldKind;
@@ -47,11 +37,9 @@ import org.sami.mavlink.vehicle.VehicleTable;
  */
 public final class MavlinkBase implements AutoCloseable {
     private static final long HEARTBEAT_TICKS = 10; // a second
-    private static final long ITEM_MS = 20; // what an autopilot needs for an item of a list
-    private static final int UNHANDLED = 2_000; // messages that may wait; a link that brings more waits itself
 
     private final LongSupplier nowMs;
-    private final List<MavlinkLink> links;
+    private final BaseLinks links;
     private final BaseThread thread;
     private final boolean hasOwnThread;
     private final Executor owner;
@@ -59,13 +47,9 @@ public final class MavlinkBase implements AutoCloseable {
     private boolean closed; // guarded by closing
     private final Runnable everyTick = this::tick;
     private long ticks;
-    private final Semaphore room = new Semaphore(UNHANDLED);
     private final VehicleTable table = new VehicleTable();
     private final MessageAsking asking;
-    private final MavlinkBaseOptions options;
-    private final Map<VehicleId, VehicleExchanges> exchanges = new HashMap<>();
-    private final Map<VehicleId, KeyGiving> keys = new HashMap<>();
-    private boolean movesLists; // the tick of lists is scheduled
+    private final VehicleRequests requests;
     private final List<Consumer<VehicleEvent>> listeners = new CopyOnWriteArrayList<>();
 
     /** A base that keeps nothing and signs nothing. */
@@ -95,26 +79,20 @@ public final class MavlinkBase implements AutoCloseable {
             BaseThread thread,
             boolean hasOwnThread) {
         this.nowMs = Objects.requireNonNull(nowMs, "nowMs");
-        this.options = Objects.requireNonNull(options, "options");
+        Objects.requireNonNull(options, "options");
         this.thread = thread;
         this.hasOwnThread = hasOwnThread;
         owner = this::execute;
         asking = new MessageAsking(table, options.signing().isPresent());
-        List<MavlinkAddress> each = addresses.stream().distinct().toList();
-        links = IntStream.range(0, each.size())
-                .mapToObj(i -> new MavlinkLink(
-                        each.get(i),
-                        this::received,
-                        LinkEnd.ground(i, options.signing()),
-                        ReadMessages.KINDS::contains))
-                .toList();
-        links.forEach(MavlinkLink::start);
+        requests = new VehicleRequests(table, options, nowMs, thread, this::send);
+        links = new BaseLinks(addresses, options.signing(), owner, this::handle);
+        links.start();
         thread.begin(everyTick);
     }
 
     /** What is known of each link, in the order of the addresses. */
     public List<MavlinkLinkReport> links() {
-        return links.stream().map(MavlinkLink::report).toList();
+        return links.reports();
     }
 
     /** What is known of each vehicle that was heard, by its id. */
@@ -128,12 +106,7 @@ public final class MavlinkBase implements AutoCloseable {
      * @return the items; fails with an {@link IllegalStateException} whose message says in words what went wrong
      */
     public CompletableFuture<List<MissionItem>> held(VehicleId vehicle, HeldKind kind) {
-        CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
-        owner.execute(() -> {
-            exchangesOf(vehicle).lists().read(kind, nowMs.getAsLong(), result);
-            moveLists();
-        });
-        return result;
+        return on(() -> requests.held(vehicle, kind));
     }
 
     /**
@@ -145,37 +118,27 @@ public final class MavlinkBase implements AutoCloseable {
      */
     public CompletableFuture<List<MissionItem>> replace(VehicleId vehicle, HeldKind kind, List<MissionItem> items) {
         List<MissionItem> copy = List.copyOf(items);
-        CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
-        owner.execute(() -> {
-            exchangesOf(vehicle).lists().replace(kind, copy, nowMs.getAsLong(), result);
-            moveLists();
-        });
-        return result;
-    }
-
-    private VehicleExchanges exchangesOf(VehicleId vehicle) {
-        return exchanges.computeIfAbsent(
-                vehicle, id -> new VehicleExchanges(id, options.parameters(), message -> send(id, message)));
+        return on(() -> requests.replace(vehicle, kind, copy));
     }
 
     /** All parameters of a vehicle by their names: those that are kept, or else it is asked. Fails as {@link #held} does. */
     public CompletableFuture<SortedMap<String, Double>> parameters(VehicleId vehicle) {
-        return on(() -> exchangesOf(vehicle).parameters().all(nowMs.getAsLong()));
+        return on(() -> requests.parameters(vehicle).all(nowMs.getAsLong()));
     }
 
     /** The same, but the vehicle is asked in any case. */
     public CompletableFuture<SortedMap<String, Double>> readParameters(VehicleId vehicle) {
-        return on(() -> exchangesOf(vehicle).parameters().readAll(nowMs.getAsLong()));
+        return on(() -> requests.parameters(vehicle).readAll(nowMs.getAsLong()));
     }
 
     /** One parameter, as the vehicle holds it now. Fails as {@link #held} does. */
     public CompletableFuture<Double> parameter(VehicleId vehicle, String name) {
-        return on(() -> exchangesOf(vehicle).parameters().read(name, nowMs.getAsLong()));
+        return on(() -> requests.parameters(vehicle).read(name, nowMs.getAsLong()));
     }
 
     /** Sets a parameter; the result is what the vehicle holds then, which is equal. Fails as {@link #held} does. */
     public CompletableFuture<Double> setParameter(VehicleId vehicle, String name, double value) {
-        return on(() -> exchangesOf(vehicle).parameters().set(name, value, nowMs.getAsLong()));
+        return on(() -> requests.parameters(vehicle).set(name, value, nowMs.getAsLong()));
     }
 
     private <T> CompletableFuture<T> on(Supplier<CompletableFuture<T>> what) {
@@ -199,12 +162,7 @@ public final class MavlinkBase implements AutoCloseable {
      * @return completes once the vehicle has sent something that is signed with it; fails as {@link #held} does where it does not within seconds
      */
     public CompletableFuture<Void> giveKey(VehicleId vehicle) {
-        return on(() -> options.signing()
-                .map(signing -> keys.computeIfAbsent(
-                                vehicle, id -> new KeyGiving(id, signing, message -> send(id, message)))
-                        .begin(nowMs.getAsLong()))
-                .orElseGet(() -> CompletableFuture.failedFuture(
-                        new IllegalStateException("this base has no key that it could give"))));
+        return on(() -> requests.giveKey(vehicle));
     }
 
     /** What the vehicles on each link are asked to send, and what it costs. */
@@ -212,7 +170,7 @@ public final class MavlinkBase implements AutoCloseable {
         return CompletableFuture.supplyAsync(
                 () -> {
                     Map<MavlinkAddress, MessagePlan> plans = new LinkedHashMap<>();
-                    links.forEach(link -> plans.put(link.address(), asking.plan(link.address())));
+                    links.addresses().forEach(link -> plans.put(link, asking.plan(link)));
                     return plans;
                 },
                 owner);
@@ -229,15 +187,7 @@ public final class MavlinkBase implements AutoCloseable {
 
     /** The same; {@code progress} receives percents while the vehicle is at it, where it says so, on the base's thread. */
     public CompletableFuture<CommandOutcome> command(VehicleId vehicle, VehicleCommand command, IntConsumer progress) {
-        CompletableFuture<CommandOutcome> result = new CompletableFuture<>();
-        owner.execute(() -> {
-            if (table.isTwin(vehicle) && !command.isDisarming()) {
-                result.complete(CommandOutcome.ambiguous(vehicle, command));
-            } else {
-                exchangesOf(vehicle).commands().give(command, nowMs.getAsLong(), progress, result::complete);
-            }
-        });
-        return result;
+        return on(() -> requests.command(vehicle, command, progress));
     }
 
     /**
@@ -285,19 +235,6 @@ public final class MavlinkBase implements AutoCloseable {
         listeners.remove(listener);
     }
 
-    /** On a link's thread: waits where too much is not handled yet, so that the sender is slowed and memory is not filled. */
-    private void received(MavlinkAddress from, List<ReceivedMessage> messages) {
-        room.acquireUninterruptibly(messages.size());
-        try {
-            owner.execute(() -> {
-                room.release(messages.size());
-                messages.forEach(message -> BaseThread.run(() -> handle(from, message)));
-            });
-        } catch (RejectedExecutionException closed) {
-            room.release(messages.size());
-        }
-    }
-
     private void handle(MavlinkAddress from, ReceivedMessage message) {
         long now = nowMs.getAsLong();
         VehicleId id = new VehicleId(message.system(), message.component());
@@ -308,71 +245,23 @@ public final class MavlinkBase implements AutoCloseable {
                 asking.renew(id, now);
             }
         }
-        if (message.signed()) { // rightly, or the link had refused it
-            Optional.ofNullable(keys.get(id)).ifPresent(KeyGiving::signed);
-        }
-        Optional.ofNullable(exchanges.get(id)).ifPresent(open -> open.take(message.payload(), events, now));
+        boolean signed = message.signed(); // with the right key, or the link had refused it
+        requests.take(id, message.payload(), signed, events, now);
         events.forEach(event -> listeners.forEach(listener -> listener.accept(event)));
-    }
-
-    private void beat() {
-        Heartbeat beat = Heartbeat.builder()
-                .type(MavType.MAV_TYPE_GCS)
-                .autopilot(MavAutopilot.MAV_AUTOPILOT_INVALID)
-                .systemStatus(MavState.MAV_STATE_ACTIVE)
-                .mavlinkVersion(3)
-                .build();
-        links.forEach(link -> link.send(beat));
     }
 
     private void tick() {
         if (ticks++ % HEARTBEAT_TICKS == 0) {
-            beat();
+            links.sendHeartbeat();
         }
         long now = nowMs.getAsLong();
-        exchanges.values().forEach(open -> open.tick(now));
-        keys.values().removeIf(giving -> giving.tick(now));
-        asking.tick(now, this::ask);
-    }
-
-    /** Looks after lists more often than after all else, as long as any is read or sent. */
-    private void moveLists() {
-        boolean isAny =
-                exchanges.values().stream().anyMatch(open -> open.lists().isBusy());
-        if (isAny && !movesLists) {
-            movesLists = true;
-            thread.later(this::tickLists, ITEM_MS);
-        }
-    }
-
-    private void tickLists() {
-        movesLists = false;
-        long now = nowMs.getAsLong();
-        exchanges.values().forEach(open -> open.lists().tick(now));
-        moveLists();
-    }
-
-    private void ask(VehicleId vehicle, MessagePlan plan) {
-        if (plan.isTight()) {
-            send(vehicle, Silence.of(vehicle)); // what it sends by itself
-        }
-        plan.messages()
-                .forEach(message -> exchangesOf(vehicle)
-                        .commands()
-                        .give(
-                                VehicleCommand.sendEvery(message.number(), message.everyS()),
-                                nowMs.getAsLong(),
-                                percent -> {},
-                                outcome -> {}));
+        requests.tick(now);
+        asking.tick(now, requests::messages);
     }
 
     /** Sends on the link on which a vehicle was heard last. */
     private void send(VehicleId vehicle, Object message) {
-        table.linkOf(vehicle)
-                .flatMap(address -> links.stream()
-                        .filter(link -> link.address().equals(address))
-                        .findFirst())
-                .ifPresent(link -> link.send(message));
+        table.linkOf(vehicle).ifPresent(address -> links.send(address, message));
     }
 
     private void execute(Runnable work) {
@@ -388,14 +277,13 @@ public final class MavlinkBase implements AutoCloseable {
     @Override
     public void close() {
         thread.end(everyTick);
-        links.forEach(MavlinkLink::close);
+        links.close();
         CompletableFuture<Void> ended;
         synchronized (closing) { // what was asked before it runs before it, and nothing after it
             if (closed) {
                 return;
             }
-            ended = CompletableFuture.runAsync(
-                    () -> exchanges.values().forEach(VehicleExchanges::close), thread.executor());
+            ended = CompletableFuture.runAsync(requests::close, thread.executor());
             closed = true;
         }
         ended.join();

@@ -65,7 +65,7 @@ public record MessagePlan(List<AskedMessage> messages, int vehicles, boolean sig
                 : OptionalDouble.of(vehicles * bytesPerVehicle() / bytesPerSecond.getAsDouble());
     }
 
-    /** Whether vehicles would fill the link with what they send by themselves, and must be asked not to. */
+    /** Whether the messages that vehicles send unasked would fill the link, so that vehicles must be asked to stop them. */
     boolean isTight() {
         return bytesPerSecond.isPresent();
     }

@@ -31,7 +31,7 @@ public final class LinkSigning {
     public enum Unsigned {
         /** All are taken: while vehicles are given the key. */
         TAKEN,
-        /** They are taken of vehicles that have not signed with the key yet: beside vehicles with the key there may be some without. */
+        /** Accepted from vehicles that have not signed with the key yet: some vehicles of the fleet may not have it. */
         TAKEN_UNTIL_SIGNED,
         /** None is taken. */
         REFUSED

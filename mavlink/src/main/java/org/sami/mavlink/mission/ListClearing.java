@@ -3,20 +3,17 @@ package org.sami.mavlink.mission;
 import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MissionAck;
 import io.dronefleet.mavlink.common.MissionClearAll;
-import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /** Empties a list that a vehicle holds. */
-final class ListClearing implements ListTransfer {
+final class ListClearing extends AbstractListTransfer {
     private static final long ANSWER_MS = 1_500;
     private static final int TRIES = 8;
 
     private final VehicleId vehicle;
     private final HeldKind kind;
     private final Consumer<Object> send;
-    private Optional<String> failure = Optional.empty();
-    private boolean done;
     private int tries;
     private long sentMs;
 
@@ -43,8 +40,7 @@ final class ListClearing implements ListTransfer {
             return;
         }
         if (tries == TRIES) {
-            failure = Optional.of(
-                    "vehicle " + vehicle + " does not answer when its " + kind.words() + " is to be emptied");
+            fail("vehicle " + vehicle + " does not answer when its " + kind.words() + " is to be emptied");
         } else {
             begin(nowMs);
         }
@@ -58,20 +54,9 @@ final class ListClearing implements ListTransfer {
             return;
         }
         if (ack.type().entry() == MavMissionResult.MAV_MISSION_ACCEPTED) {
-            done = true;
+            succeed();
         } else {
-            failure = Optional.of(
-                    "vehicle " + vehicle + " does not empty its " + kind.words() + ": " + MissionWords.of(ack.type()));
+            fail("vehicle " + vehicle + " does not empty its " + kind.words() + ": " + MissionWords.of(ack.type()));
         }
-    }
-
-    @Override
-    public boolean isOver() {
-        return done || failure.isPresent();
-    }
-
-    @Override
-    public Optional<String> failure() {
-        return failure;
     }
 }

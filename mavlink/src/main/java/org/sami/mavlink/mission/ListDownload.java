@@ -21,7 +21,7 @@ import org.sami.mavlink.vehicle.VehicleId;
  *
  * <p>Source: the mission protocol of MAVLink's documentation. Differs from it: several items are asked for ahead of their answers, as each answer names its item.
  */
-public final class ListDownload implements ListTransfer {
+public final class ListDownload extends AbstractListTransfer {
     private static final int TRIES = 8; // to ask how many there are
     private static final long SILENCE_MS = 8_000;
     private static final int AHEAD = 5;
@@ -34,8 +34,6 @@ public final class ListDownload implements ListTransfer {
     private final TreeMap<Integer, MissionItem> items = new TreeMap<>();
     private final TreeMap<Integer, Asked> open = new TreeMap<>();
     private Optional<Integer> count = Optional.empty();
-    private Optional<String> failure = Optional.empty();
-    private boolean done;
     private int tries;
     private int unasked; // the first item that was never asked for
     private long askedMs;
@@ -86,7 +84,7 @@ public final class ListDownload implements ListTransfer {
     }
 
     private void silent() {
-        failure = Optional.of("vehicle " + vehicle + " does not answer when it is asked for its " + kind.words()
+        fail("vehicle " + vehicle + " does not answer when it is asked for its " + kind.words()
                 + count.map(all -> ": it sent " + items.size() + " of " + all + " items")
                         .orElse(""));
     }
@@ -131,8 +129,7 @@ public final class ListDownload implements ListTransfer {
                 && ack.type().entry() != MavMissionResult.MAV_MISSION_ACCEPTED
                 && ack.type().entry() != MavMissionResult.MAV_MISSION_INVALID_SEQUENCE // these two may be late answers
                 && ack.type().entry() != MavMissionResult.MAV_MISSION_ERROR) { // to an upload before
-            failure = Optional.of(
-                    "vehicle " + vehicle + " refuses to send its " + kind.words() + ": " + MissionWords.of(ack.type()));
+            fail("vehicle " + vehicle + " refuses to send its " + kind.words() + ": " + MissionWords.of(ack.type()));
         }
     }
 
@@ -141,8 +138,7 @@ public final class ListDownload implements ListTransfer {
             items.put(item.seq(), MissionItem.of(item));
             next(nowMs);
         } catch (IllegalArgumentException e) {
-            failure = Optional.of(
-                    "vehicle " + vehicle + " sends a " + kind.words() + " that cannot be: " + e.getMessage());
+            fail("vehicle " + vehicle + " sends a " + kind.words() + " that cannot be: " + e.getMessage());
         }
     }
 
@@ -152,8 +148,8 @@ public final class ListDownload implements ListTransfer {
 
     private void counted(int all, long nowMs) {
         if (all > MOST_ITEMS) {
-            failure = Optional.of("vehicle " + vehicle + " says that its " + kind.words() + " has " + all
-                    + " items; at most " + MOST_ITEMS + " are read");
+            fail("vehicle " + vehicle + " says that its " + kind.words() + " has " + all + " items; at most "
+                    + MOST_ITEMS + " are read");
             return;
         }
         if (tries == 1) {
@@ -167,7 +163,7 @@ public final class ListDownload implements ListTransfer {
         progressMs = nowMs;
         int all = count.orElse(0);
         if (items.size() == all) {
-            done = true;
+            succeed();
             send.accept(MissionAck.builder()
                     .targetSystem(vehicle.system())
                     .targetComponent(vehicle.component())
@@ -180,16 +176,6 @@ public final class ListDownload implements ListTransfer {
             ask(unasked, 1, nowMs);
             unasked++;
         }
-    }
-
-    @Override
-    public boolean isOver() {
-        return done || failure.isPresent();
-    }
-
-    @Override
-    public Optional<String> failure() {
-        return failure;
     }
 
     /** What the vehicle holds, in its order; so far, until the transfer is over. */

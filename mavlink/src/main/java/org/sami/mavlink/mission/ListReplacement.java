@@ -11,16 +11,14 @@ import org.sami.mavlink.vehicle.VehicleId;
  * Replaces a list that a vehicle holds, and reads it back: only a list that came back equal counts. Where it is known what the vehicle holds and only a part of
  * it differs, that part is sent alone. A list that comes back different is sent again, whole.
  */
-public final class ListReplacement implements ListTransfer {
+public final class ListReplacement extends AbstractListTransfer {
     private static final int ROUNDS = 3;
 
     private final VehicleId vehicle;
     private final HeldKind kind;
     private final List<MissionItem> items;
     private final Consumer<Object> send;
-    private Optional<String> failure = Optional.empty();
     private List<MissionItem> readBack = List.of();
-    private boolean done;
     private int rounds = 1;
     private ListTransfer step;
 
@@ -99,7 +97,7 @@ public final class ListReplacement implements ListTransfer {
             again(step.failure().get(), wasPart, nowMs);
         } else if (step instanceof ListDownload download) {
             readBack = download.items();
-            difference().ifPresentOrElse(why -> again(why, true, nowMs), () -> done = true);
+            difference().ifPresentOrElse(why -> again(why, true, nowMs), this::succeed);
         } else {
             next(new ListDownload(vehicle, kind, send), nowMs);
         }
@@ -110,7 +108,7 @@ public final class ListReplacement implements ListTransfer {
             rounds++;
             next(whole(), nowMs);
         } else {
-            failure = Optional.of(why);
+            fail(why);
         }
     }
 
@@ -133,18 +131,8 @@ public final class ListReplacement implements ListTransfer {
                 .findFirst();
     }
 
-    @Override
-    public boolean isOver() {
-        return done || failure.isPresent();
-    }
-
-    @Override
-    public Optional<String> failure() {
-        return failure;
-    }
-
     /** What the vehicle holds, as it was read back; empty until the transfer has ended well. */
     public List<MissionItem> readBack() {
-        return done ? readBack : List.of();
+        return isDone() ? readBack : List.of();
     }
 }

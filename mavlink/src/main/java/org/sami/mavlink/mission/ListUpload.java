@@ -21,7 +21,7 @@ import org.sami.mavlink.vehicle.VehicleId;
  * <p>Source: the mission protocol of MAVLink's documentation. Differs from it: where the vehicle's next question is overdue, the items that it must want next
  * are sent without one. Autopilots ask again only after a second, and ignore items that they did not expect.
  */
-final class ListUpload implements ListTransfer {
+final class ListUpload extends AbstractListTransfer {
     private static final int TRIES = 8; // to say how many there are
     private static final int LAST_TRIES = 4; // to send the last item, whose acknowledgement may be lost
     private static final int ROUNDS = 4;
@@ -38,8 +38,6 @@ final class ListUpload implements ListTransfer {
     private final int to;
     private final Consumer<Object> send;
     private final AnswerTime time = new AnswerTime();
-    private Optional<String> failure = Optional.empty();
-    private boolean done;
     private int rounds;
     private Optional<String> notReady = Optional.empty();
     private double lost; // the part of the items, lately, that had to be sent again
@@ -107,7 +105,7 @@ final class ListUpload implements ListTransfer {
         }
     }
 
-    /** How many items beyond the one that was asked for are sent with it: on a link that loses, one answer lost costs less so. */
+    /** How many items are sent in addition to the requested one: on a link that loses messages, a lost request then costs less time. */
     private int ahead() {
         return lost > MUCH_LOST ? 2 : lost > LITTLE_LOST ? 1 : 0;
     }
@@ -123,13 +121,13 @@ final class ListUpload implements ListTransfer {
         }
         if (!began) {
             if (tries == TRIES) {
-                failure = notReady.or(() ->
-                        Optional.of("vehicle " + vehicle + " does not answer when it is to be sent a " + kind.words()));
+                fail(notReady.orElse(
+                        "vehicle " + vehicle + " does not answer when it is to be sent a " + kind.words()));
             } else {
                 announce(nowMs);
             }
         } else if (asked == to - 1 && tries == LAST_TRIES) {
-            done = true; // it has the last item or nothing comes through; reading back finds out
+            succeed(); // it has the last item or nothing comes through; reading back finds out
         } else if (nowMs - progressMs > SILENCE_MS) {
             again("it asked for " + (asked - from + 1) + " of " + (to - from) + " items, and for no more", nowMs);
         } else {
@@ -182,23 +180,27 @@ final class ListUpload implements ListTransfer {
         MavMissionResult what = result.entry();
         boolean allSent = sent == to - 1;
         if (what == MavMissionResult.MAV_MISSION_ACCEPTED) {
-            done |= allSent; // otherwise of an earlier transfer
+            if (allSent) { // otherwise of an earlier transfer
+                succeed();
+            }
         } else if (what == MavMissionResult.MAV_MISSION_INVALID_SEQUENCE) {
             progressMs = nowMs; // it did not expect this item, and waits for another
         } else if (what == MavMissionResult.MAV_MISSION_ERROR && allSent) {
-            done = true; // the last item came to it twice: it had ended; reading back finds out
+            succeed(); // the last item came to it twice: it had ended; reading back finds out
         } else if (what == MavMissionResult.MAV_MISSION_OPERATION_CANCELLED
                 || (what == MavMissionResult.MAV_MISSION_ERROR && asked >= from)) {
             again(MissionWords.of(result), nowMs);
         } else {
-            Optional<String> refusal = Optional.of("vehicle " + vehicle + " refuses the " + kind.words() + " of "
-                    + items.size() + " items" + where() + ": " + MissionWords.of(result));
-            notReady = refusal;
-            failure = what == MavMissionResult.MAV_MISSION_ERROR ? Optional.empty() : refusal; // it may be ready soon
+            String refusal = "vehicle " + vehicle + " refuses the " + kind.words() + " of " + items.size() + " items"
+                    + where() + ": " + MissionWords.of(result);
+            notReady = Optional.of(refusal);
+            if (what != MavMissionResult.MAV_MISSION_ERROR) { // after that one it may be ready soon
+                fail(refusal);
+            }
         }
     }
 
-    /** The item that it did not take, and its place; empty where it has refused before the first. */
+    /** The item that the vehicle refused, and its position; empty where it refused the list before the first item. */
     private String where() {
         if (asked < from) {
             return "";
@@ -210,19 +212,9 @@ final class ListUpload implements ListTransfer {
 
     private void again(String why, long nowMs) {
         if (rounds == ROUNDS) {
-            failure = Optional.of("vehicle " + vehicle + " could not be sent its " + kind.words() + ": " + why);
+            fail("vehicle " + vehicle + " could not be sent its " + kind.words() + ": " + why);
         } else {
             begin(nowMs);
         }
-    }
-
-    @Override
-    public boolean isOver() {
-        return done || failure.isPresent();
-    }
-
-    @Override
-    public Optional<String> failure() {
-        return failure;
     }
 }

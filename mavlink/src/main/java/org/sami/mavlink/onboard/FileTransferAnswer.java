@@ -4,7 +4,7 @@ import io.dronefleet.mavlink.common.FileTransferProtocol;
 import java.util.Optional;
 import org.sami.mavlink.vehicle.VehicleId;
 
-/** Answers requests for files: there are none. Stations that try to read parameters as a file ask for them one by one once they hear that, and not after seconds. */
+/** Answers requests for files: there are none. A station that tries to read the parameters as a file then reads them one by one at once, instead of after seconds without an answer. */
 final class FileTransferAnswer {
     private static final int PAYLOAD = 251;
     private static final int HEAD = 12;

@@ -23,7 +23,7 @@ final class OnboardParameters {
         this.send = send;
     }
 
-    /** Takes a message; why what it asks for is refused, for the people at the station. What is no part of the protocol changes nothing. */
+    /** Handles a message. Gives the reason for people at the station where its request is refused. Messages of other protocols change nothing. */
     Optional<String> take(VehicleId station, Object message) {
         if (message instanceof ParamRequestList) {
             List<OnboardParameter> all = host.parameters();

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
 
-/** Joins the texts of one vehicle that come in parts of 50 characters. A text of which a part is lost is given without it, once another text comes. */
+/** Joins the texts of one vehicle that come in parts of 50 characters. A text that lost a part is given without it once another text comes. */
 final class StatusTextParts {
     private static final int PART = 50;
 

@@ -1,6 +1,6 @@
 package org.sami.mavlink.vehicle;
 
-/** How bad it is what an autopilot says, worst first; the eight degrees of RFC 5424. */
+/** Severity of an autopilot's text, worst first: the eight levels of RFC 5424. */
 public enum TextSeverity {
     EMERGENCY,
     ALERT,

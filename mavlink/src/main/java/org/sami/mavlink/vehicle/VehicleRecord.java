@@ -44,7 +44,7 @@ final class VehicleRecord {
 
     private final VehicleId id;
     private final LinkChoice links = new LinkChoice();
-    private final TwinWatch twins = new TwinWatch();
+    private final DuplicateIdDetector duplicates = new DuplicateIdDetector();
     private final StatusTextParts parts = new StatusTextParts();
     private final Deque<StatusText> texts = new ArrayDeque<>();
     private MavType type = MavType.MAV_TYPE_GENERIC;
@@ -77,8 +77,8 @@ final class VehicleRecord {
         } else if (payload instanceof GlobalPositionInt at) {
             positionMs = nowMs;
             position = position(at, nowMs);
-            position.ifPresent(place -> twins.at(place.latDeg(), place.lonDeg(), nowMs));
-            if (twins.restarted(at.timeBootMs(), nowMs) && !isTwin()) {
+            position.ifPresent(place -> duplicates.at(place.latDeg(), place.lonDeg(), nowMs));
+            if (duplicates.restarted(at.timeBootMs(), nowMs) && !isTwin()) {
                 located = false;
                 events.add(new VehicleEvent.Restarted(id));
             }
@@ -156,7 +156,7 @@ final class VehicleRecord {
 
     /** Whether two vehicles have this id, as far as the last seconds show. */
     boolean isTwin() {
-        return twins.isTwin(heardMs);
+        return duplicates.isTwin(heardMs);
     }
 
     /** Whether it goes on speaking without saying where it is. */

@@ -8,6 +8,9 @@ public final class SmallBoatFaults {
     private boolean frozen;
     private boolean deaf;
     private boolean ignoresMissions;
+    private boolean ignoresSpeeds;
+    private int refusedMode = -1;
+    private String whyNotArm = "";
     private boolean cameraJammed;
 
     SmallBoatFaults() {}
@@ -76,6 +79,34 @@ public final class SmallBoatFaults {
 
     synchronized boolean isIgnoringMissions() {
         return ignoresMissions;
+    }
+
+    /** It refuses this mode from now on. */
+    public synchronized void refuseMode(int number) {
+        refusedMode = number;
+    }
+
+    synchronized boolean isRefused(int mode) {
+        return mode == refusedMode;
+    }
+
+    /** It refuses to be armed from now on, with this text; empty where it lets itself be armed again. */
+    public synchronized void refuseArming(String text) {
+        whyNotArm = text;
+    }
+
+    /** Why it refuses to be armed; empty where it does not. */
+    synchronized String whyNotArm() {
+        return whyNotArm;
+    }
+
+    /** It takes the speeds that it is ordered, but does not answer, from now on; or answers again. */
+    public synchronized void ignoresSpeeds(boolean now) {
+        ignoresSpeeds = now;
+    }
+
+    synchronized boolean isIgnoringSpeeds() {
+        return ignoresSpeeds;
     }
 
     /** Its camera takes no picture from now on, though the order for one is accepted; or takes them again. */

@@ -13,9 +13,13 @@ import io.dronefleet.mavlink.util.EnumValue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.sami.mavlink.mission.HeldKind;
+import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.vehicle.VehicleId;
 
-/** The mission of a small boat, and the protocol that brings it there and back. For one thread at a time. */
-final class SmallBoatMission {
+/** The mission of a small boat or copter, and the protocol that brings it there and back. Safe for use by several threads. */
+public final class SmallBoatMission {
+    private static final int AUTOPILOT = 1;
     private static final int WAYPOINT = 16;
     private static final int KEEP_PLACE = 17;
     private static final int JUMP = 177;
@@ -23,6 +27,7 @@ final class SmallBoatMission {
     private static final int MOST_ITEMS = 650;
     private static final int NO_ITEMS = 65_535;
 
+    private final VehicleId vehicle;
     private List<MissionItemInt> items = new ArrayList<>();
     private List<MissionItemInt> coming = new ArrayList<>();
     private int awaited; // the item that is asked for next
@@ -30,48 +35,58 @@ final class SmallBoatMission {
     private boolean isPart;
     private boolean refuses;
     private int uploads;
-    private int parts;
     private int current;
     private boolean waits;
     private int stops;
     private final List<MissionItemInt> visited = new ArrayList<>();
 
-    boolean isEmpty() {
+    /** No mission, of the vehicle with a system id. */
+    SmallBoatMission(int system) {
+        vehicle = new VehicleId(system, AUTOPILOT);
+    }
+
+    synchronized boolean isEmpty() {
         return items.size() < 2;
     }
 
-    int uploads() {
+    /** How many whole missions were sent to it. */
+    public synchronized int uploads() {
         return uploads;
     }
 
-    void refuse(boolean now) {
+    /** It refuses each mission, and each part of one, from now on, or no longer. */
+    public synchronized void refuse(boolean now) {
         refuses = now;
     }
 
-    void put(List<MissionItemInt> others) {
-        items = new ArrayList<>(others);
+    /** Somebody else has given it this mission, home first. */
+    public synchronized void put(List<MissionItem> others) {
+        items = new ArrayList<>(others.stream()
+                .map(item -> item.message(vehicle, HeldKind.MISSION))
+                .toList());
         current = 0;
     }
 
-    void lose() {
+    /** It holds no mission any longer: another ground station has taken it away. */
+    public synchronized void lose() {
         items = new ArrayList<>();
     }
 
     /** How many items it has, as ArduPilot says it: without home. */
-    int total() {
+    synchronized int total() {
         return items.isEmpty() ? NO_ITEMS : items.size() - 1;
     }
 
-    int current() {
+    synchronized int current() {
         return current;
     }
 
-    void setCurrent(int item) {
+    synchronized void setCurrent(int item) {
         current = item;
     }
 
     /** The place of the item under way, after the items without places before it; empty where there is none. */
-    Optional<MissionItemInt> place(SmallBoatMotion motion) {
+    synchronized Optional<MissionItemInt> place(SmallBoatMotion motion) {
         current = Math.max(1, current);
         for (int i = 0; i < items.size() && current < items.size() && !hasPlace(items.get(current)); i++) {
             MissionItemInt item = items.get(current);
@@ -90,18 +105,15 @@ final class SmallBoatMission {
     }
 
     /** How often it went on after it had kept its place at an item for that. */
-    int stops() {
+    public synchronized int stops() {
         return stops;
     }
 
-    /** How many parts of missions were sent to it. */
-    int parts() {
-        return parts;
-    }
-
-    /** The waypoints that it has reached, in their order. */
-    List<MissionItemInt> visited() {
-        return List.copyOf(visited);
+    /** The waypoints that it has reached, in their order, as latitude and longitude in degrees. */
+    public synchronized List<List<Double>> visited() {
+        return visited.stream()
+                .map(item -> List.of(item.x() / 1e7, item.y() / 1e7))
+                .toList();
     }
 
     private static int number(MissionItemInt item) {
@@ -109,7 +121,7 @@ final class SmallBoatMission {
     }
 
     /** The boat is at the item under way. The number of a waypoint that is reached by it. */
-    Optional<Integer> arrived() {
+    synchronized Optional<Integer> arrived() {
         if (number(items.get(current)) == KEEP_PLACE) {
             waits = true;
             return Optional.empty();
@@ -123,7 +135,7 @@ final class SmallBoatMission {
     }
 
     /** What it answers. */
-    List<Object> answers(Object message) {
+    synchronized List<Object> answers(Object message) {
         if (message instanceof MissionRequestList list) {
             return List.of(MissionCount.builder()
                     .count(isMission(list.missionType()) ? items.size() : 0)
@@ -176,7 +188,6 @@ final class SmallBoatMission {
         }
         items = coming;
         uploads += isPart ? 0 : 1;
-        parts += isPart ? 1 : 0;
         return List.of(ack(MavMissionResult.MAV_MISSION_ACCEPTED));
     }
 

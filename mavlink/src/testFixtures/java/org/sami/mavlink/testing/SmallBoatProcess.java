@@ -54,7 +54,7 @@ public final class SmallBoatProcess implements AutoCloseable {
         int boats = Integer.parseInt(args[0]);
         for (int i = 1; i <= boats; i++) {
             SmallBoat boat = new SmallBoat(i, LAT_DEG + i * BERTH_DEG, LON_DEG, 1);
-            boat.reportSeldom();
+            boat.reports().seldom();
             System.out.println(boat.address() + "/" + i);
         }
         while (System.in.read() >= 0) {

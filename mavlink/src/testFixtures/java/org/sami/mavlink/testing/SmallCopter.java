@@ -8,9 +8,6 @@ import io.dronefleet.mavlink.common.MavCmd;
 import io.dronefleet.mavlink.common.MavResult;
 import io.dronefleet.mavlink.common.MissionCurrent;
 import io.dronefleet.mavlink.common.MissionItemReached;
-import io.dronefleet.mavlink.common.ParamRequestRead;
-import io.dronefleet.mavlink.common.ParamSet;
-import io.dronefleet.mavlink.common.ParamValue;
 import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
@@ -19,18 +16,9 @@ import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.io.IOException;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
-import org.sami.mavlink.mission.HeldKind;
-import org.sami.mavlink.mission.MissionItem;
-import org.sami.mavlink.onboard.ListKeeper;
-import org.sami.mavlink.onboard.OnboardLists;
-import org.sami.mavlink.vehicle.VehicleId;
 
 /**
  * A simulated copter with an autopilot, on TCP on loopback: arming, take-off, missions, landing and brake as ArduPilot's copters have them, without any
@@ -55,28 +43,12 @@ public final class SmallCopter implements AutoCloseable {
     private static final int MISSION_START = 300;
     private static final int ARM = 400;
     private static final double FORCED = 21_196;
-    private static final int FENCE_CORNERS = 84;
-    private static final VehicleId STATION = new VehicleId(255, 190);
 
     private final SmallVehicleLink link;
     private final SmallFlight flight;
-    private final SmallBoatMission mission = new SmallBoatMission();
-    private final Map<String, Float> parameters = new HashMap<>(Map.of(
-            "STAT_BOOTCNT",
-            7f,
-            "FS_GCS_ENABLE",
-            0f,
-            "WPNAV_SPEED",
-            800f,
-            "FENCE_ENABLE",
-            0f,
-            "FENCE_TYPE",
-            7f,
-            "FENCE_ACTION",
-            1f,
-            "CAM1_TYPE",
-            0f));
-    private final OnboardLists fence = new OnboardLists(FENCE_CORNERS, 0, new FenceKeeper(), this::send);
+    private final SmallBoatMission mission;
+    private final SmallVehicleParameters parameters = SmallVehicleParameters.ofCopter(this::send);
+    private final SmallVehicleFence fence = new SmallVehicleFence(this::send);
     private final ScheduledExecutorService steps = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread made = new Thread(work, "small copter moves");
         made.setDaemon(true);
@@ -96,6 +68,7 @@ public final class SmallCopter implements AutoCloseable {
      * @param times how many times faster it is than it is asked to be
      */
     public SmallCopter(int system, double latDeg, double lonDeg, double times) throws IOException {
+        mission = new SmallBoatMission(system);
         flight = new SmallFlight(new SmallBoatMotion(latDeg, lonDeg, times), times);
         link = new SmallVehicleLink(system, () -> false, this::take);
         link.start();
@@ -154,7 +127,7 @@ public final class SmallCopter implements AutoCloseable {
 
     /** One of its parameters. */
     public synchronized double parameter(String name) {
-        return parameters.get(name);
+        return parameters.value(name);
     }
 
     private synchronized void take(Object message) {
@@ -164,14 +137,7 @@ public final class SmallCopter implements AutoCloseable {
                     .command(EnumValue.create(MavCmd.class, command.command().value()))
                     .result(done ? MavResult.MAV_RESULT_ACCEPTED : MavResult.MAV_RESULT_FAILED)
                     .build());
-        } else if (message instanceof ParamRequestRead asked) {
-            report(asked.paramId());
-        } else if (message instanceof ParamSet set) {
-            parameters.put(set.paramId(), set.paramValue());
-            report(set.paramId());
-        } else if (SmallBoat.isAboutFence(message)) {
-            fence.take(STATION, message, bootMs);
-        } else {
+        } else if (!parameters.take(message) && !fence.take(message, bootMs)) {
             mission.answers(message).forEach(link::send);
         }
     }
@@ -181,31 +147,8 @@ public final class SmallCopter implements AutoCloseable {
     }
 
     /** The fence that it holds. */
-    public synchronized List<MissionItem> fence() {
-        return fence.held(HeldKind.FENCE);
-    }
-
-    /** Takes every fence. */
-    private static final class FenceKeeper implements ListKeeper {
-        @Override
-        public Optional<Refusal> whyNot(HeldKind kind, MissionItem item) {
-            return Optional.empty();
-        }
-
-        @Override
-        public void changed(HeldKind kind, List<MissionItem> items) {
-            // it is read from the lists
-        }
-    }
-
-    private void report(String name) {
-        if (parameters.containsKey(name)) {
-            link.send(ParamValue.builder()
-                    .paramId(name)
-                    .paramValue(parameters.get(name))
-                    .paramCount(parameters.size())
-                    .build());
-        }
+    public SmallVehicleFence fence() {
+        return fence;
     }
 
     private boolean command(int number, double first, double second) {

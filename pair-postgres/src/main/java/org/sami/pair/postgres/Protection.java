@@ -15,11 +15,11 @@ public record Protection(State state, String text, String advice) {
         COPIED,
         /** This base does not wait for the other. */
         ALONE,
-        /** This base waits for the other, which says nothing: it stops commanding. */
+        /** This base waits for the other, which does not answer: it stops commanding. */
         SILENT,
         /** The other base went on with the session: this one must not. */
         REPLACED,
-        /** This base's database does not say. */
+        /** Unknown: this base's database does not answer. */
         UNKNOWN
     }
 }

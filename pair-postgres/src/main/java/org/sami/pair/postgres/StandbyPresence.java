@@ -7,7 +7,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 
-/** Says to the base that has the session that this one stands by for it, again and again, since that base may not be there yet; and at last that it no longer does. */
+/** Reports to the base that holds the session that this base is its standby: again and again, since the holder may not be there yet, and at the end that it is none any longer. */
 public final class StandbyPresence implements AutoCloseable {
     private static final long SAY_MILLIS = 2000;
 
@@ -25,7 +25,7 @@ public final class StandbyPresence implements AutoCloseable {
         saying = thread.scheduleWithFixedDelay(() -> say(false), 0, SAY_MILLIS, TimeUnit.MILLISECONDS);
     }
 
-    /** Says that it ends in order and does not go on with the session: the other base need not wait for it. False where that base is not reached. */
+    /** Reports that this standby ends in order and will not go on with the session: the holder need not wait for it. False where the holder is not reached. */
     public boolean leave() {
         close();
         awaitEnd(); // what it says last is to count
@@ -41,7 +41,7 @@ public final class StandbyPresence implements AutoCloseable {
         }
     }
 
-    /** Says nothing any more; does not wait for what is under way, which may be at a base that does not answer. */
+    /** Ends the reports. Does not wait for a report under way, which may be to a base that does not answer. */
     @Override
     public void close() {
         saying.cancel(false);

@@ -4,12 +4,12 @@ import java.sql.Connection;
 import java.sql.SQLException;
 import org.sami.journal.postgres.Connections;
 
-/** What the standby's base says of itself, in the database of the base that it stands by for: when it was there last, and that it has ended in order, so that the other may go on without it. */
+/** The row by which a standby reports itself in the database of the base that holds the session: when it was last there, and whether it has ended in order, so that the holder may go on without it. */
 final class StandbySign {
-    /** How a replica is called in its connection to the database. */
+    /** The name of a replica in its connection to the database. */
     static final String NAME = "sami_standby";
 
-    /** A base that stands by says so every two seconds. */
+    /** A standby reports every two seconds; after this many seconds without a report it counts as gone. */
     private static final int SILENT_SECONDS = 8;
 
     private StandbySign() {}
@@ -29,7 +29,7 @@ final class StandbySign {
         Connections.run(connection, "ALTER TABLE pair.standby ADD COLUMN IF NOT EXISTS seen timestamptz");
     }
 
-    /** The standby begins to watch, or ends in order. */
+    /** Reports that the standby is there, or that it has ended in order. */
     static void write(Connection connection, boolean ended) throws SQLException {
         Connections.run(
                 connection,
@@ -38,7 +38,7 @@ final class StandbySign {
                         : "UPDATE pair.standby SET ended = NULL, seen = clock_timestamp()");
     }
 
-    /** Whether a base stands by: it has said so within the last seconds, by the clock of the database to which it says it. */
+    /** Whether a standby is there: its last report is at most eight seconds old, by the clock of the database that has it. */
     static boolean isThere(Connection connection) throws SQLException {
         return Connections.text(
                         connection,

@@ -2,7 +2,7 @@ package org.sami.pair.postgres;
 
 import org.sami.journal.postgres.PairSetting;
 
-/** What a pair does where its bases do not reach one another: each cannot know whether the other died. Only one of both may go on by itself. */
+/** Which base of a pair goes on alone where the two do not reach each other. Neither can know whether the other has failed, so only one of them may. */
 public enum WhenCut {
     /** The standby goes on by itself; a holder that does not reach its standby stops commanding before that. */
     TAKE_OVER(PairSetting.TAKE_OVER),

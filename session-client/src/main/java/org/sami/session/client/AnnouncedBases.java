@@ -4,7 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Reads which bases a base names that is trusted itself (docs/session-link.md, Bases). */
+/** Reads the bases that a trusted base names (docs/session-link.md, Bases). */
 final class AnnouncedBases {
     private AnnouncedBases() {}
 

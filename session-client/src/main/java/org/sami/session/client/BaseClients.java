@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Function;
 
-/** Clients of the bases of a session, each of which trusts the certificate of its base only. For one thread. */
+/** The HTTP client of each base of a session. Each trusts the certificate of its base only. For one thread. */
 final class BaseClients implements Function<SessionAddress, HttpClient> {
     private final ServerTrust trust;
     private final Map<SessionAddress, HttpClient> clients = new HashMap<>();

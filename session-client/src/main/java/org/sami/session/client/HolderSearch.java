@@ -11,8 +11,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * Looks whether another base holds the session while the one at hand stands still, as it is cut off from the journal. A standby says at once that it is one; a base that holds the session
- * waits for a name, which it does not get here. On the link's thread.
+ * Asks the other bases which of them holds the session, while the connected base stands still because it is cut off from the journal. A standby answers at once that it is one. A base that
+ * holds the session waits for a name: one that answers nothing within 2 s counts as the holder. On the link's thread.
  */
 final class HolderSearch {
     private static final long EVERY_NANOS = TimeUnit.SECONDS.toNanos(3);
@@ -41,12 +41,12 @@ final class HolderSearch {
         this.found = found;
     }
 
-    /** Whether the base at hand stands still. */
+    /** The search is needed while the connected base stands still. */
     void need(boolean now) {
         needed = now;
     }
 
-    /** Looks at the next of the other bases, where it is time to. */
+    /** Asks the next of the other bases, if the last one was asked long enough ago. */
     void look(List<SessionAddress> others, long nowNanos) {
         if (!needed || looking || others.isEmpty() || nowNanos - lookedNanos < EVERY_NANOS) {
             return;

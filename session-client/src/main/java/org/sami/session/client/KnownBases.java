@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
- * The bases at which a front may find its session, and which of them is tried next: the one at hand first, then the others in turn, with longer and longer waits between the rounds. For one
+ * The bases at which a front may find its session, and which base it tries next: first the current base, then the others in turn. The waits between rounds grow. For one
  * thread.
  */
 final class KnownBases {
@@ -49,17 +49,17 @@ final class KnownBases {
         return all.get(at);
     }
 
-    /** Those that are not at hand. */
+    /** All bases but the current one. */
     List<SessionAddress> others() {
         return all.stream().filter(one -> !one.equals(current())).toList();
     }
 
-    /** Tries a base next that is known. */
+    /** Makes a known base the current one, to be tried next. */
     void turnTo(SessionAddress known) {
         at = Math.max(0, all.indexOf(known));
     }
 
-    /** Whether there is another than the one at hand. */
+    /** Whether there is more than one base. */
     boolean areSeveral() {
         return all.size() > 1;
     }
@@ -67,7 +67,7 @@ final class KnownBases {
     /**
      * A connection that stood is lost. Gives how many milliseconds to wait before the next is made.
      *
-     * @param silent it was, so that the next base is tried first; else the same one
+     * @param silent whether the base did not answer: the next base is tried first then; else the same one
      */
     long lost(boolean silent) {
         begin();
@@ -83,7 +83,7 @@ final class KnownBases {
         rounds = 0;
     }
 
-    /** The base at hand cannot be reached, or is a standby. */
+    /** The current base cannot be reached, or is a standby. */
     void failed(String why, boolean isStandby) {
         faults.put(current(), why);
         standby |= isStandby;
@@ -118,7 +118,7 @@ final class KnownBases {
         return Math.min(longest, first << Math.min(rounds++, 10));
     }
 
-    /** Never tries the base at hand again: it lets this person in not, or has another session. Gives whether there are others; the next is at hand then. */
+    /** Never tries the current base again: it does not let this person in, or has another session. Gives whether there are others; the next one is current then. */
     boolean leaveOut() {
         if (!areSeveral()) {
             return false;
@@ -129,12 +129,12 @@ final class KnownBases {
         return true;
     }
 
-    /** Whether the base at hand has held the session before one that was seen later: it holds it no longer, whatever it says. */
+    /** Whether another base has held the session after the current one: then the current base holds it no longer, whatever it reports. */
     boolean isSuperseded(long itsEpoch) {
         return itsEpoch < epoch;
     }
 
-    /** The base at hand holds the session. */
+    /** The current base holds the session. */
     void holds(long itsEpoch) {
         epoch = itsEpoch;
         begin();

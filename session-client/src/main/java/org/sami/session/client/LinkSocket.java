@@ -51,7 +51,7 @@ final class LinkSocket implements WebSocket.Listener {
         sent.complete(open);
     }
 
-    /** Sends a text after those before it. One that cannot be sent ends the connection, which is notified. */
+    /** Sends a text after the texts before it. A text that cannot be sent ends the connection, and the listener is told. */
     synchronized void send(String text) {
         sent = sent.thenCompose(open -> open.sendText(text, true));
     }

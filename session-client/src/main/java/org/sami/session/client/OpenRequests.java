@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import org.sami.crw.session.RefusedException;
 
-/** What was asked of a server and is not answered yet. For one thread. */
+/** The requests that the server has not answered yet. For one thread. */
 final class OpenRequests {
     private final Map<Long, CompletableFuture<JsonNode>> open = new HashMap<>();
     private long last;
@@ -35,7 +35,7 @@ final class OpenRequests {
         return true;
     }
 
-    /** No reply will come. */
+    /** Fails all requests: no reply will come. */
     void drop(String why) {
         List<CompletableFuture<JsonNode>> waiting = List.copyOf(open.values());
         open.clear();

@@ -1,6 +1,6 @@
 package org.sami.session.client;
 
-/** What a front gets to know of its connection to a session. Called on the link's thread; must be quick. */
+/** Receives changes of a front's connection to a session. Called on the link's thread; returns at once. */
 public interface RemoteListener {
     /**
      * The connection is lost or silent, and is tried again by itself; also before the first, where a standby is waited for. Called again when another reason is known.

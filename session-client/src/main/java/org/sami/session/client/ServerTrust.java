@@ -44,7 +44,7 @@ public final class ServerTrust {
         announced.put(authority, print);
     }
 
-    /** Nobody is asked about certificates any more: people are at work in the session. */
+    /** From now on no person is asked to compare a certificate: people work in the session. */
     void askNoLonger() {
         asks = false;
     }

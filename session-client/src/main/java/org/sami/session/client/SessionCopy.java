@@ -28,7 +28,7 @@ import org.sami.spn.json.UnreadableJsonException;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
 
-/** A session in another process as it is known here: made by its server's first message, kept up by those that follow. For the link's thread, but the clock. */
+/** This process's copy of a session in another process. The server's first message makes it, later messages update it. For the link's thread, except the clock. */
 final class SessionCopy {
     private final JournalHeader header;
     private final FollowedSession followed;
@@ -183,7 +183,7 @@ final class SessionCopy {
         followed.look();
     }
 
-    /** Whether no mission goes on there, as its base says. */
+    /** Whether the base reports that no mission of the session goes on. */
     boolean standsStill() {
         return tables.rows("fleet").stream()
                 .anyMatch(row -> row.path("standStill").asBoolean());

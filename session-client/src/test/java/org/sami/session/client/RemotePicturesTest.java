@@ -8,7 +8,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalTime;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -24,20 +23,14 @@ import org.sami.crw.operator.picture.BoatPicture;
 import org.sami.crw.operator.picture.PanoramaPictures;
 import org.sami.crw.proxy.command.Panorama;
 import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.archive.PictureRows;
-import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.session.picture.SessionPictures;
-import org.sami.session.person.PeopleFile;
-import org.sami.session.person.Person;
-import org.sami.session.person.PersonKey;
+import org.sami.session.client.testing.FrontNotices;
 import org.sami.session.person.PersonRole;
 import org.sami.session.server.ServerAddress;
+import org.sami.session.server.SessionBases;
 import org.sami.session.server.SessionServer;
-import org.sami.spn.journal.JournalHeader;
-import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.json.ProjectWriter;
-import org.sami.spn.model.Project;
+import org.sami.session.server.testing.ServedSession;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
@@ -50,34 +43,25 @@ class RemotePicturesTest {
     private Path folder;
 
     private final ExecutorService front = Executors.newSingleThreadExecutor();
+    private ServedSession served;
     private Session session;
     private SessionServer server;
     private SessionPictures kept;
 
     @BeforeEach
     void serve() throws Exception {
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        Project project = library.projectOf("station-keep").orElseThrow();
-        JournalHeader header = JournalHeader.of(
-                new ProjectWriter(library.vocabulary()).text(project),
-                library.files().texts(),
-                Map.of());
-        session = Session.open(SessionSetup.of(library.vocabulary(), project).with(SessionJournal.none(header)));
-        PeopleFile people = new PeopleFile(folder.resolve("people"));
-        people.add(new Person("otto", PersonRole.OBSERVER, List.of(), PersonKey.hash("key of otto")));
-        server = SessionServer.start(
-                session,
-                people,
-                new ServerAddress(InetAddress.getLoopbackAddress(), 0, Optional.of(Identity.generate())));
-        session.begin();
+        served = ServedSession.ofPlan("station-keep", folder).with("otto", PersonRole.OBSERVER);
+        session = served.session();
+        server = served.serve(
+                new ServerAddress(InetAddress.getLoopbackAddress(), 0, Optional.of(Identity.generate())),
+                SessionBases.NONE);
+        served.begin();
         kept = SessionPictures.in(folder.resolve("kept"));
     }
 
     @AfterEach
     void end() throws Exception {
-        server.close();
-        session.close();
+        served.close();
         front.shutdown();
     }
 
@@ -95,24 +79,6 @@ class RemotePicturesTest {
         }
     }
 
-    /** Only pictures count here. */
-    private static final class Quiet implements RemoteListener {
-        @Override
-        public void lost(String words) {}
-
-        @Override
-        public void back(SessionAddress base) {}
-
-        @Override
-        public void ended(String why) {}
-
-        @Override
-        public void rights(PersonRights now) {}
-
-        @Override
-        public void news(String text) {}
-    }
-
     private RemoteSession open() throws Exception {
         return RemoteSession.open(
                 List.of(SessionAddress.parse(
@@ -120,7 +86,7 @@ class RemotePicturesTest {
                 new Login("otto", "key of otto"),
                 new ServerTrust(new KnownServers(folder.resolve("servers")), (address, print) -> true),
                 front,
-                new Quiet(),
+                new FrontNotices(),
                 () -> LocalTime.NOON);
     }
 

@@ -14,14 +14,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -29,25 +25,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.security.Identity;
 import org.sami.crw.operator.OperatorLogEntry;
-import org.sami.crw.operator.decision.DecisionListener;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.session.FrontSession;
 import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionSetup;
-import org.sami.crw.session.archive.SessionJournal;
+import org.sami.session.client.testing.FrontNotices;
 import org.sami.session.person.PeopleFile;
-import org.sami.session.person.Person;
-import org.sami.session.person.PersonKey;
 import org.sami.session.person.PersonRole;
 import org.sami.session.server.ServerAddress;
 import org.sami.session.server.SessionServer;
-import org.sami.spn.journal.JournalHeader;
-import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.json.ProjectWriter;
-import org.sami.spn.model.Project;
+import org.sami.session.server.testing.ServedSession;
 import org.sami.spn.protocol.Answer;
-import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.GeoPoint;
@@ -64,91 +52,47 @@ class RemoteSessionTest {
 
     private final ExecutorService front = Executors.newSingleThreadExecutor();
     private final List<RemoteSession> opened = new ArrayList<>();
+    private ServedSession served;
     private Session session;
     private PeopleFile people;
     private SessionServer server;
 
     @BeforeEach
     void serve() throws Exception {
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        Project project = library.projectOf(PLAN).orElseThrow();
-        JournalHeader header = JournalHeader.of(
-                new ProjectWriter(library.vocabulary()).text(project),
-                library.files().texts(),
-                Map.of());
-        session = Session.open(SessionSetup.of(library.vocabulary(), project).with(SessionJournal.none(header)));
-        people = new PeopleFile(folder.resolve("people"));
-        add("anna", PersonRole.OPERATOR);
-        add("ben", PersonRole.OPERATOR);
-        add("otto", PersonRole.OBSERVER);
-        server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
-        session.begin();
-    }
-
-    private void add(String name, PersonRole role) throws IOException {
-        people.add(new Person(name, role, List.of(), PersonKey.hash("key of " + name)));
+        served = ServedSession.ofPlan(PLAN, folder)
+                .with("anna", PersonRole.OPERATOR)
+                .with("ben", PersonRole.OPERATOR)
+                .with("otto", PersonRole.OBSERVER);
+        session = served.session();
+        people = served.people();
+        server = served.serve();
+        served.begin();
     }
 
     @AfterEach
     void end() throws Exception {
         opened.forEach(RemoteSession::close);
-        server.close();
-        session.close();
+        served.close();
         front.shutdown();
     }
 
-    /** What a front got to know of its connection. */
-    private static final class Heard implements RemoteListener {
-        private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
-
-        @Override
-        public void lost(String words) {
-            lines.add(words);
-        }
-
-        @Override
-        public void back(SessionAddress base) {
-            lines.add("back");
-        }
-
-        @Override
-        public void ended(String why) {
-            lines.add("ended: " + why);
-        }
-
-        @Override
-        public void rights(PersonRights now) {
-            lines.add("role: " + now.role());
-        }
-
-        @Override
-        public void news(String text) {
-            lines.add(text);
-        }
-
-        String next() throws InterruptedException {
-            return Optional.ofNullable(lines.poll(15, TimeUnit.MINUTES)).orElseThrow();
-        }
-    }
-
-    private RemoteSession open(int port, String name, String key, RemoteListener heard) throws Exception {
-        return open(SessionAddress.parse("ws://127.0.0.1:" + port), name, key, heard, print -> false);
+    private RemoteSession open(int port, String name, String key, RemoteListener listener) throws Exception {
+        return open(SessionAddress.parse("ws://127.0.0.1:" + port), name, key, listener, print -> false);
     }
 
     private RemoteSession open(
-            SessionAddress address, String name, String key, RemoteListener heard, Predicate<String> compared)
+            SessionAddress address, String name, String key, RemoteListener listener, Predicate<String> compared)
             throws Exception {
         ServerTrust trust = new ServerTrust(
                 new KnownServers(folder.resolve("servers")), (authority, print) -> compared.test(print));
         RemoteSession one = RemoteSession.open(
-                List.of(address), new Login(name, key), trust, front, heard, () -> LocalTime.of(14, 2, 31));
+                List.of(address), new Login(name, key), trust, front, listener, () -> LocalTime.of(14, 2, 31));
         opened.add(one);
         return one;
     }
 
     private RemoteSession open(String name) throws Exception {
-        return open(server.listensAt().getPort(), name, "key of " + name, new Heard());
+        return open(server.listensAt().getPort(), name, "key of " + name, new FrontNotices());
     }
 
     private static <T> T get(CompletionStage<T> stage) throws Exception {
@@ -221,9 +165,9 @@ class RemoteSessionTest {
 
     @Test
     void whoAnswersSecondIsToldWhoAnsweredWhat() throws Exception {
-        Heard heard = new Heard();
+        FrontNotices notices = new FrontNotices();
         RemoteSession anna = open("anna");
-        RemoteSession ben = open(server.listensAt().getPort(), "ben", "key of ben", heard);
+        RemoteSession ben = open(server.listensAt().getPort(), "ben", "key of ben", notices);
         get(anna.start(PLAN, PLAN, Map.of()));
         PendingDecision asked = asked(ben);
 
@@ -232,44 +176,35 @@ class RemoteSessionTest {
 
         assertThat(second)
                 .startsWith("anna has answered decision " + asked.decision().id() + " already: ");
-        assertThat(heard.next()).isEqualTo("anna started " + PLAN + " as mission 1");
-        assertThat(heard.next()).startsWith("anna answered [" + asked.decision().id() + "]");
+        assertThat(notices.next()).isEqualTo("anna started " + PLAN + " as mission 1");
+        assertThat(notices.next())
+                .startsWith("anna answered [" + asked.decision().id() + "]");
     }
 
     @Test
     void goesOnAfterItsConnectionWasCut() throws Exception {
-        Heard heard = new Heard();
+        FrontNotices notices = new FrontNotices();
         try (CuttableRelay relay = new CuttableRelay(new InetSocketAddress(
                 InetAddress.getLoopbackAddress(), server.listensAt().getPort()))) {
-            RemoteSession anna = open(relay.port(), "anna", "key of anna", heard);
+            RemoteSession anna = open(relay.port(), "anna", "key of anna", notices);
             get(anna.start(PLAN, PLAN, Map.of()));
             PendingDecision first = asked(anna);
-            List<String> changes = new CopyOnWriteArrayList<>();
-            anna.models().decisions().addListener(new DecisionListener() {
-                @Override
-                public void opened(PendingDecision decision) {
-                    changes.add("opened " + decision.decision().id());
-                }
-
-                @Override
-                public void closed(PendingDecision decision, Optional<Answer> answer, Optional<Answerer> by) {
-                    changes.add("closed " + decision.decision().id());
-                }
-            });
+            DecisionChanges changes = new DecisionChanges();
+            anna.models().decisions().addListener(changes);
 
             relay.cut();
-            String lost = heard.next();
+            String lost = notices.next();
             get(session.start(PLAN, "meanwhile", Map.of()));
-            String back = heard.next();
+            String back = notices.next();
             get(anna.caughtUp());
 
             assertThat(lost).startsWith("connection lost (").endsWith(", last seen 14:02:31; it is tried again");
-            assertThat(back).isEqualTo("back");
+            assertThat(back).isEqualTo("back at " + anna.address());
             assertThat(anna.models().missions().snapshot().missions())
                     .extracting(MissionSnapshot::name)
                     .contains("meanwhile");
             assertThat(anna.models().decisions().find(first.decision().id())).isPresent();
-            assertThat(changes).hasSize(1).first().asString().startsWith("opened ");
+            assertThat(changes.lines()).hasSize(1).first().asString().startsWith("opened ");
             get(anna.answerJudged(first.decision(), answer(first), "console"));
         }
     }
@@ -296,38 +231,38 @@ class RemoteSessionTest {
 
     @Test
     void wrongKeyIsRefusedInWords() {
-        assertThatThrownBy(() -> open(server.listensAt().getPort(), "anna", "guessed", new Heard()))
+        assertThatThrownBy(() -> open(server.listensAt().getPort(), "anna", "guessed", new FrontNotices()))
                 .isInstanceOf(IOException.class)
                 .hasMessage("no such name and key");
     }
 
     @Test
     void nobodyAtTheAddressIsSaidInWords() {
-        assertThatThrownBy(() -> open(1, "anna", "key of anna", new Heard()))
+        assertThatThrownBy(() -> open(1, "anna", "key of anna", new FrontNotices()))
                 .isInstanceOf(IOException.class)
                 .hasMessage("no server answers at ws://127.0.0.1:1");
     }
 
     @Test
     void whoIsRemovedIsOutAndTriesNoLonger() throws Exception {
-        Heard heard = new Heard();
-        open(server.listensAt().getPort(), "anna", "key of anna", heard);
+        FrontNotices notices = new FrontNotices();
+        open(server.listensAt().getPort(), "anna", "key of anna", notices);
 
         people.remove("anna");
 
-        assertThat(heard.next()).isEqualTo("ended: anna was removed from this session");
+        assertThat(notices.next()).isEqualTo("ended: anna was removed from this session");
     }
 
     @Test
     void rightsAreThoseOfTheRoleThatIsListedNow() throws Exception {
-        Heard heard = new Heard();
-        RemoteSession anna = open(server.listensAt().getPort(), "anna", "key of anna", heard);
+        FrontNotices notices = new FrontNotices();
+        RemoteSession anna = open(server.listensAt().getPort(), "anna", "key of anna", notices);
         assertThat(anna.rights().has("start")).isTrue();
 
         Path file = people.file();
         Files.writeString(file, Files.readString(file).replaceFirst("\"operator\"", "\"pilot\"")); // anna's is first
 
-        assertThat(heard.next()).isEqualTo("role: pilot");
+        assertThat(notices.next()).isEqualTo("role: pilot");
         assertThat(anna.rights().rights()).containsExactlyInAnyOrder("stop", "answer", "press", "drive");
     }
 
@@ -338,15 +273,16 @@ class RemoteSessionTest {
         try (SessionServer first = SessionServer.start(session, people, secured)) {
             int port = first.listensAt().getPort();
             SessionAddress address = SessionAddress.parse("wss://127.0.0.1:" + port);
-            assertThatThrownBy(() -> open(address, "anna", "key of anna", new Heard(), print -> false))
+            assertThatThrownBy(() -> open(address, "anna", "key of anna", new FrontNotices(), print -> false))
                     .hasMessageStartingWith("nobody has compared the certificate of 127.0.0.1:" + port);
             String print = first.certificate().orElseThrow();
-            get(open(address, "anna", "key of anna", new Heard(), print::equals).caughtUp());
-            get(open(address, "anna", "key of anna", new Heard(), unasked -> false)
+            get(open(address, "anna", "key of anna", new FrontNotices(), print::equals)
+                    .caughtUp());
+            get(open(address, "anna", "key of anna", new FrontNotices(), unasked -> false)
                     .caughtUp());
 
             new KnownServers(folder.resolve("servers")).add("127.0.0.1:" + port, "AB:CD");
-            assertThatThrownBy(() -> open(address, "anna", "key of anna", new Heard(), unasked -> true))
+            assertThatThrownBy(() -> open(address, "anna", "key of anna", new FrontNotices(), unasked -> true))
                     .hasMessageStartingWith("another server is at 127.0.0.1:" + port);
         }
     }

@@ -11,22 +11,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.security.Identity;
-import org.sami.crw.operator.decision.DecisionListener;
 import org.sami.crw.operator.decision.PendingDecision;
-import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionSetup;
-import org.sami.crw.session.archive.SessionJournal;
+import org.sami.session.client.testing.FrontNotices;
 import org.sami.session.person.PeopleFile;
 import org.sami.session.person.Person;
 import org.sami.session.person.PersonKey;
@@ -35,12 +29,7 @@ import org.sami.session.server.ServerAddress;
 import org.sami.session.server.SessionBases;
 import org.sami.session.server.SessionServer;
 import org.sami.session.server.StandbyServer;
-import org.sami.spn.journal.JournalHeader;
-import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.json.ProjectWriter;
-import org.sami.spn.model.Project;
-import org.sami.spn.protocol.Answer;
-import org.sami.spn.protocol.Answerer;
+import org.sami.session.server.testing.ServedSession;
 
 /** A front of a session whose base ends while a standby waits: real servers on loopback, one of which serves the session at a time. */
 class SeveralBasesTest {
@@ -50,31 +39,19 @@ class SeveralBasesTest {
     private Path folder;
 
     private final ExecutorService front = Executors.newSingleThreadExecutor();
-    private final BlockingQueue<String> heard = new LinkedBlockingQueue<>();
+    private final FrontNotices notices = new FrontNotices();
     private final List<AutoCloseable> opened = new ArrayList<>();
     private final Identity first = Identity.generate();
     private final Identity second = Identity.generate();
-    private Session session;
-    private PeopleFile people;
+    private ServedSession served;
 
     @BeforeEach
     void begin() throws Exception {
-        session = session(PLAN);
-        people = new PeopleFile(folder.resolve("people"));
-        people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
+        served = session(PLAN).with("anna", PersonRole.OPERATOR);
     }
 
-    private Session session(String plan) throws Exception {
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        Project project = library.projectOf(plan).orElseThrow();
-        JournalHeader header = JournalHeader.of(
-                new ProjectWriter(library.vocabulary()).text(project),
-                library.files().texts(),
-                Map.of());
-        Session made =
-                Session.open(SessionSetup.of(library.vocabulary(), project).with(SessionJournal.none(header)));
-        made.begin();
+    private ServedSession session(String plan) throws Exception {
+        ServedSession made = ServedSession.ofPlan(plan, folder).begin();
         opened.add(made);
         return made;
     }
@@ -92,20 +69,14 @@ class SeveralBasesTest {
     }
 
     private StandbyServer standby(SessionBases bases) throws IOException {
-        StandbyServer one = StandbyServer.start(people, secured(0, second), Optional.empty(), bases);
+        StandbyServer one = StandbyServer.start(served.people(), secured(0, second), Optional.empty(), bases);
         one.say("the session is held by laptop-1");
         opened.add(one);
         return one;
     }
 
     private SessionServer serve(int port, Identity identity, SessionBases bases) throws IOException {
-        return serve(session, port, identity, bases);
-    }
-
-    private SessionServer serve(Session of, int port, Identity identity, SessionBases bases) throws IOException {
-        SessionServer one = SessionServer.start(of, people, secured(port, identity), Optional.empty(), bases);
-        opened.add(one);
-        return one;
+        return served.serve(secured(port, identity), bases);
     }
 
     private static SessionAddress address(int port) {
@@ -119,45 +90,10 @@ class SeveralBasesTest {
     private RemoteSession open(SessionAddress at, String trusted) throws Exception {
         ServerTrust trust = new ServerTrust(
                 new KnownServers(folder.resolve("servers")), (authority, print) -> print.equals(trusted));
-        RemoteListener listener = new RemoteListener() {
-            @Override
-            public void lost(String words) {
-                heard.add(words);
-            }
-
-            @Override
-            public void back(SessionAddress base) {
-                heard.add("back at " + base);
-            }
-
-            @Override
-            public void ended(String why) {
-                heard.add("ended: " + why);
-            }
-
-            @Override
-            public void rights(PersonRights now) {
-                heard.add("role: " + now.role());
-            }
-
-            @Override
-            public void news(String text) {
-                heard.add(text);
-            }
-        };
         RemoteSession one = RemoteSession.open(
-                List.of(at), new Login("anna", "key of anna"), trust, front, listener, () -> LocalTime.of(14, 2, 31));
+                List.of(at), new Login("anna", "key of anna"), trust, front, notices, () -> LocalTime.of(14, 2, 31));
         opened.add(one);
         return one;
-    }
-
-    /** What the front got to know next that begins so; lines before it are passed over. */
-    private String heard(String beginning) throws InterruptedException {
-        String line = "";
-        while (!line.startsWith(beginning)) {
-            line = Optional.ofNullable(heard.poll(15, TimeUnit.MINUTES)).orElseThrow();
-        }
-        return line;
     }
 
     private static <T> T get(CompletionStage<T> stage) throws Exception {
@@ -174,31 +110,22 @@ class SeveralBasesTest {
         get(anna.start(PLAN, PLAN, Map.of()));
         get(anna.caughtUp());
         PendingDecision asked = anna.models().decisions().pending().get(0);
-        List<String> changes = new ArrayList<>(); // on the front's thread
-        anna.models().decisions().addListener(new DecisionListener() {
-            @Override
-            public void opened(PendingDecision decision) {
-                changes.add("opened " + decision.decision().id());
-            }
-
-            @Override
-            public void closed(PendingDecision decision, Optional<Answer> answer, Optional<Answerer> by) {
-                changes.add("closed " + decision.decision().id());
-            }
-        });
+        DecisionChanges changes = new DecisionChanges();
+        anna.models().decisions().addListener(changes);
 
         holder.close();
-        assertThat(heard("connection lost (")).endsWith(", last seen 14:02:31; trying " + at + ", " + address(other));
-        assertThat(heard("connection lost, "))
+        assertThat(notices.next("connection lost ("))
+                .endsWith(", last seen 14:02:31; trying " + at + ", " + address(other));
+        assertThat(notices.next("connection lost, "))
                 .contains(address(other) + ", a standby: the session is held by laptop-1");
         waiting.close();
         serve(other, second, SessionBases.NONE);
 
-        assertThat(heard("back")).isEqualTo("back at " + address(other));
+        assertThat(notices.next("back")).isEqualTo("back at " + address(other));
         assertThat(anna.address()).isEqualTo(address(other));
         get(anna.caughtUp());
         assertThat(anna.models().decisions().find(asked.decision().id())).contains(asked);
-        assertThat(changes).isEmpty();
+        assertThat(changes.lines()).isEmpty();
         get(anna.abortAll());
     }
 
@@ -212,7 +139,7 @@ class SeveralBasesTest {
                 address(waiting.listensAt().getPort()), waiting.certificate().orElseThrow());
 
         assertThat(anna.address()).isEqualTo(at);
-        assertThat(heard("wss:"))
+        assertThat(notices.next("wss:"))
                 .endsWith(", a standby: the session is held by laptop-1; trying "
                         + address(waiting.listensAt().getPort()) + ", " + at);
     }
@@ -240,25 +167,25 @@ class SeveralBasesTest {
         serve(other, second, SessionBases.NONE);
 
         holder.close();
-        heard("connection lost (");
+        notices.next("connection lost (");
         serve(port, first, SessionBases.NONE);
 
-        assertThat(heard("back")).isEqualTo("back at " + address(port));
+        assertThat(notices.next("back")).isEqualTo("back at " + address(port));
     }
 
     @Test
     void baseThatHasAnotherSessionIsPassedOver() throws Exception {
-        SessionServer stranger = serve(session("clv"), 0, second, SessionBases.NONE);
+        SessionServer stranger = session("clv").serve(secured(0, second), SessionBases.NONE);
         int other = stranger.listensAt().getPort();
         SessionServer holder = serve(0, first, bases(other, stranger.certificate()));
         int port = holder.listensAt().getPort();
         open(address(port), holder.certificate().orElseThrow());
 
         holder.close();
-        heard("connection lost, last seen 14:02:31; " + address(other) + ": another session is at ");
+        notices.next("connection lost, last seen 14:02:31; " + address(other) + ": another session is at ");
         serve(port, first, SessionBases.NONE);
 
-        assertThat(heard("back")).isEqualTo("back at " + address(port));
+        assertThat(notices.next("back")).isEqualTo("back at " + address(port));
     }
 
     @Test
@@ -266,7 +193,7 @@ class SeveralBasesTest {
         PeopleFile others = new PeopleFile(folder.resolve("others"));
         others.add(new Person("ben", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of ben")));
         SessionServer strict =
-                SessionServer.start(session, others, secured(0, second), Optional.empty(), SessionBases.NONE);
+                SessionServer.start(served.session(), others, secured(0, second), Optional.empty(), SessionBases.NONE);
         opened.add(strict);
         int other = strict.listensAt().getPort();
         SessionServer holder = serve(0, first, bases(other, strict.certificate()));
@@ -274,9 +201,9 @@ class SeveralBasesTest {
         open(address(port), holder.certificate().orElseThrow());
 
         holder.close();
-        heard("connection lost, last seen 14:02:31; " + address(other) + ": no such name and key");
+        notices.next("connection lost, last seen 14:02:31; " + address(other) + ": no such name and key");
         serve(port, first, SessionBases.NONE);
 
-        assertThat(heard("back")).isEqualTo("back at " + address(port));
+        assertThat(notices.next("back")).isEqualTo("back at " + address(port));
     }
 }

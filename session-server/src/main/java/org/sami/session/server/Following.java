@@ -13,7 +13,7 @@ import org.sami.crw.session.Session;
 import org.sami.session.rows.Table;
 import org.sami.spn.journal.JournalHeader;
 
-/** The fronts that follow the session with an engine of their own, and how far each has come. For the server's thread. */
+/** The fronts that follow the session with an engine of their own, and the last item that each was sent. For the server's thread. */
 final class Following {
     /** Tables of which such a front makes its own. */
     private static final Set<String> FOLLOWED =
@@ -30,7 +30,7 @@ final class Following {
         this.thread = thread;
     }
 
-    /** Lets a front follow from now on; it gets the whole state, unless it goes on where it was. */
+    /** Lets a front follow from now on. It is sent the whole state, unless it has the feed up to a number from which it can go on. */
     CompletionStage<CommandReply> follow(Front front, FrontMessage message) throws MalformedMessageException {
         Optional<String> earlier = message.textIfThere("session");
         if (earlier.isPresent() && feed.has(earlier.get(), message.number("after"))) {
@@ -74,7 +74,7 @@ final class Following {
         return !(isFollowing(front) && FOLLOWED.contains(table.name()));
     }
 
-    /** Sends a front what has come since. One that has fallen back too far is cut off, and begins again. */
+    /** Sends a front the items that are new to it. A front that is too far behind is cut off, and begins again. */
     void send(Front front) {
         Long number = sent.get(front);
         if (number == null) {
@@ -91,7 +91,7 @@ final class Following {
         }
     }
 
-    /** Sends a front all that has followed from what was done before now, and then does something on the server's thread. */
+    /** Sends a front every item that follows from earlier commands, then runs work on the server's thread. */
     void afterAll(Front front, Runnable then) {
         if (!isFollowing(front)) {
             then.run();

@@ -24,23 +24,20 @@ import org.sami.session.rows.Table;
 final class Fronts implements AutoCloseable {
     static final int MOST = 32;
 
-    private static final int VERSION = 1;
     private static final long TICK_MS = 100;
     private static final int TICKS_PER_SECOND = 10;
-    private static final long BEAT_MS = 500;
     private static final long PING_MS = 15_000;
     private static final long SILENT_MS = 45_000;
     private static final long HELLO_MS = 10_000;
 
     private final Session session;
     private final People people;
-    private final RobotKind robots;
     private final Table bases;
     private final Tickets tickets;
     private final LongSupplier nanos;
     private final SettledDecisions settled = new SettledDecisions();
     private final Set<Front> open = new LinkedHashSet<>();
-    private final FailedLogins failedLogins;
+    private final FrontLogins logins;
     private final SessionRows rows;
     private final HandDriving hand;
     private final JournalFeed feed;
@@ -58,11 +55,10 @@ final class Fronts implements AutoCloseable {
     Fronts(Session session, People people, RobotKind robots, SessionBases bases, Tickets tickets, LongSupplier nanos) {
         this.session = session;
         this.people = people;
-        this.robots = robots;
         this.bases = bases.table();
         this.tickets = tickets;
         this.nanos = nanos;
-        failedLogins = new FailedLogins(nanos);
+        logins = new FrontLogins(session, people, robots, tickets, nanos, this::execute);
         news = new PeopleNews(session, this::sendToAll);
         rows = new SessionRows(session, this::execute);
         hand = new HandDriving(session, news);
@@ -159,7 +155,7 @@ final class Fronts implements AutoCloseable {
             }
             Optional<Person> person = front.person();
             if (message.type().equals("hello") && person.isEmpty()) {
-                hello(front, message);
+                logins.hello(front, message);
             } else if (person.isEmpty()) {
                 front.refuse(message.id(), "say hello first, with name and key");
                 front.end(StatusCode.POLICY_VIOLATION, "no hello");
@@ -172,10 +168,10 @@ final class Fronts implements AutoCloseable {
     private void command(Front front, Person earlier, FrontMessage message) {
         Optional<Person> person = people.present(earlier);
         if (person.isEmpty()) {
-            bye(front);
+            FrontLogins.bye(front);
             return;
         }
-        listed(front, earlier, person.get());
+        FrontLogins.listed(front, earlier, person.get());
         try {
             CompletionStage<CommandReply> carriedOut = message.type().equals("follow")
                     ? following.follow(front, message)
@@ -192,67 +188,6 @@ final class Fronts implements AutoCloseable {
         } catch (MalformedMessageException wrong) {
             front.malformed(message.id(), wrong);
         }
-    }
-
-    private void hello(Front front, FrontMessage message) {
-        String name;
-        String key;
-        try {
-            if (message.number("v") != VERSION) {
-                refuseLogin(front, "this server speaks version " + VERSION + " of the link, and no other");
-                return;
-            }
-            name = message.text("name");
-            key = message.textIfThere("key").orElse("");
-        } catch (MalformedMessageException wrong) {
-            front.malformed(0, wrong);
-            return;
-        }
-        Optional<Person> person = people.login(name, key);
-        if (person.isPresent()) {
-            welcome(front, person.get());
-        } else if (!people.needKeys()) {
-            refuseLogin(front, "a name has 1 to 40 letters, digits, '-', '_' or '.'");
-        } else {
-            refuseLogin(front, failedLogins.refusal(front.address()));
-        }
-    }
-
-    private static void refuseLogin(Front front, String why) {
-        front.refuse(0, why);
-        front.end(StatusCode.POLICY_VIOLATION, "not let in");
-    }
-
-    private void welcome(Front front, Person person) {
-        session.begun()
-                .thenCompose(
-                        begun -> session.ask(view -> List.copyOf(view.project().plans())))
-                .thenCompose(plans -> session.models().shown().thenApply(shown -> plans)) // what was open is there
-                .thenAccept(plans -> execute(() -> {
-                    if (front.hasEnded()) {
-                        return;
-                    }
-                    front.send(PersonMessages.welcome(person, VERSION, robots.word(), plans)
-                            .put("now", session.scheduler().nowMs())
-                            .put("epoch", session.setup().journal().epoch())
-                            .put("beat", BEAT_MS)
-                            .put("ticket", tickets.issue(front))
-                            .toString());
-                    front.login(person);
-                }));
-    }
-
-    /** A person as listed now; tells its front of another role. */
-    private static void listed(Front front, Person earlier, Person now) {
-        front.login(now);
-        if (now.role() != earlier.role()) {
-            front.send(PersonMessages.rights(now).toString());
-        }
-    }
-
-    private void bye(Front front) {
-        front.send(PersonMessages.bye(front.name()).toString());
-        front.end(StatusCode.POLICY_VIOLATION, "removed");
     }
 
     private void sendToAll(String text) {
@@ -273,7 +208,7 @@ final class Fronts implements AutoCloseable {
         if (ready.isEmpty()) {
             return;
         }
-        if (ticks % (BEAT_MS / TICK_MS) == 0) {
+        if (ticks % (FrontLogins.BEAT_MS / TICK_MS) == 0) {
             String beat = PersonMessages.beat(now).toString();
             ready.forEach(front -> front.send(beat));
         }
@@ -296,7 +231,7 @@ final class Fronts implements AutoCloseable {
         Optional<Person> person = front.person();
         if (person.isPresent()) {
             Optional<Person> present = people.present(person.get());
-            present.ifPresentOrElse(now -> listed(front, person.get(), now), () -> bye(front));
+            present.ifPresentOrElse(now -> FrontLogins.listed(front, person.get(), now), () -> FrontLogins.bye(front));
         } else if (front.silentMillis() > HELLO_MS) {
             front.end(StatusCode.POLICY_VIOLATION, "no hello");
         }

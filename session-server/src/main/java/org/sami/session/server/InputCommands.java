@@ -16,7 +16,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.value.TaskId;
 
 /**
- * What fronts that follow the session ask of missions: each as the engine's input that it leads to, of which only those that a person may cause are carried out. For the
+ * Commands to missions from fronts that follow the session. Each is an input of the engine; only inputs that a person may cause are carried out. For the
  * server's thread.
  */
 final class InputCommands {
@@ -61,7 +61,7 @@ final class InputCommands {
     }
 
     /**
-     * Judges what an input would do, which is not carried out; an answer may be half entered.
+     * Judges an input without carrying it out; an answer in it may be half entered.
      *
      * @throws RefusedException in words, if there is nothing to judge
      * @throws MalformedMessageException if it is no input

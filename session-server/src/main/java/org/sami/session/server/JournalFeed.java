@@ -39,7 +39,7 @@ final class JournalFeed implements HostListener, AutoCloseable {
 
     private final String id = UUID.randomUUID().toString();
     private final Session session;
-    private final KeptRows rows = new KeptRows();
+    private final RecentTelemetry rows = new RecentTelemetry();
     private final Map<String, String> documents = new LinkedHashMap<>(); // of loaded projects, by SHA-256
     private final Queue<Item> arrived = new ConcurrentLinkedQueue<>(); // without numbers yet
     private final Deque<Item> items = new ArrayDeque<>();
@@ -101,14 +101,14 @@ final class JournalFeed implements HostListener, AutoCloseable {
         }
     }
 
-    /** Whether somebody who had this session's feed up to a number can go on there. */
+    /** Whether a front that has this session's feed up to a number can go on from there. */
     synchronized boolean has(String session, long number) {
         takeUp();
         long first = items.isEmpty() ? last + 1 : items.element().number();
         return session.equals(id) && number >= first - 1 && number <= last;
     }
 
-    /** A message with what follows a number, some of it where it is much; empty where nothing does. Its {@code n} is the number of the last in it. */
+    /** A message with the items after a number, at most as many as one message holds; empty where there are none. Its {@code n} is the number of its last item. */
     synchronized Optional<ObjectNode> after(long number) {
         takeUp();
         if (number >= last) {
@@ -138,7 +138,7 @@ final class JournalFeed implements HostListener, AutoCloseable {
         return newer;
     }
 
-    /** Whether items up to a number have been let go that somebody at that number lacks. */
+    /** Whether items after a number, which a front at that number lacks, are kept no longer. */
     synchronized boolean lacks(long number) {
         return !has(id, number);
     }

@@ -14,7 +14,7 @@ import org.sami.session.person.Person;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 
-/** Judges and gives the answers of people. Who answers second gets to know who was first. For the server's thread. */
+/** Judges the answers of people and gives them to the session. The second person to answer a decision is told who was first. For the server's thread. */
 final class PeopleAnswers {
     private final Session session;
     private final SettledDecisions settled;
@@ -61,7 +61,7 @@ final class PeopleAnswers {
                 });
     }
 
-    /** Judges an answer that may be half entered; nothing is to be said of one to a decision that waits no longer. */
+    /** Judges an answer that may be half entered. Has no remarks where the decision waits no longer. */
     CompletionStage<Judgement> judge(long id, Answer draft) {
         return session.models()
                 .decisions()

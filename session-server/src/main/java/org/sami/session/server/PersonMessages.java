@@ -7,7 +7,7 @@ import java.util.List;
 import org.sami.session.person.Person;
 import org.sami.spn.model.Plan;
 
-/** What a front is told of its own person and connection: that it is let in, that the role is another one now, that the person was removed, that the session is still there. */
+/** Messages to a front about its own person and connection: logged in, another role, removed, and the heartbeat of the session. */
 final class PersonMessages {
     private PersonMessages() {}
 

@@ -21,18 +21,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionSetup;
 import org.sami.session.person.PeopleFile;
-import org.sami.session.person.Person;
-import org.sami.session.person.PersonKey;
 import org.sami.session.person.PersonRole;
-import org.sami.spn.json.DomainLibrary;
+import org.sami.session.server.testing.ServedSession;
 
 /** Pictures of boats over HTTP on loopback. */
 class PicturesTest {
     @TempDir
     private Path folder;
 
+    private ServedSession served;
     private Session session;
     private PeopleFile people;
     private SessionServer server;
@@ -41,14 +39,11 @@ class PicturesTest {
 
     @BeforeEach
     void serve() throws Exception {
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        session = Session.open(SessionSetup.of(
-                library.vocabulary(), library.projectOf("station-keep").orElseThrow()));
-        people = new PeopleFile(folder.resolve("people"));
-        people.add(new Person("otto", PersonRole.OBSERVER, List.of(), PersonKey.hash("key of otto")));
-        server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
-        session.begin();
+        served = ServedSession.ofPlan("station-keep", folder).with("otto", PersonRole.OBSERVER);
+        session = served.session();
+        people = served.people();
+        server = served.serve();
+        served.begin();
         TakenPanorama.give(session, folder);
         otto = new TestFront(server);
         otto.send("{\"t\":\"hello\",\"v\":1,\"name\":\"otto\",\"key\":\"key of otto\"}");
@@ -59,8 +54,7 @@ class PicturesTest {
 
     @AfterEach
     void end() throws Exception {
-        server.close();
-        session.close();
+        served.close();
     }
 
     private HttpResponse<byte[]> get(String query, String shown) throws Exception {

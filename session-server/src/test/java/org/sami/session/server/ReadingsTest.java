@@ -6,24 +6,20 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Base64;
-import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionSetup;
-import org.sami.session.person.PeopleFile;
-import org.sami.session.person.Person;
-import org.sami.session.person.PersonKey;
 import org.sami.session.person.PersonRole;
-import org.sami.spn.json.DomainLibrary;
+import org.sami.session.server.testing.ServedSession;
 
 /** What a real boat measures, at a front on loopback. */
 class ReadingsTest {
     @TempDir
     private Path folder;
 
+    private ServedSession served;
     private Session session;
     private SessionServer server;
     private MeasuringBoat boat;
@@ -31,14 +27,10 @@ class ReadingsTest {
 
     @BeforeEach
     void serve() throws Exception {
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        session = Session.open(SessionSetup.of(
-                library.vocabulary(), library.projectOf("station-keep").orElseThrow()));
-        PeopleFile people = new PeopleFile(folder.resolve("people"));
-        people.add(new Person("otto", PersonRole.OBSERVER, List.of(), PersonKey.hash("key of otto")));
-        server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
-        session.begin();
+        served = ServedSession.ofPlan("station-keep", folder).with("otto", PersonRole.OBSERVER);
+        session = served.session();
+        server = served.serve();
+        served.begin();
         boat = new MeasuringBoat();
         boat.join(session);
         otto = TestFront.loggedIn(server, "otto", "key of otto");
@@ -47,8 +39,7 @@ class ReadingsTest {
     @AfterEach
     void end() throws Exception {
         boat.close();
-        server.close();
-        session.close();
+        served.close();
     }
 
     private JsonNode readings() throws Exception {

@@ -67,6 +67,15 @@ final class ServedPage implements AutoCloseable {
         browser.click("#tabs button:nth-child(1)");
     }
 
+    /** Draws the point that the shown decision asks for, in the middle of the map. */
+    static void drawPoint(TestBrowser browser) throws Exception {
+        browser.click(".decision .draw button");
+        double[] middle = browser.middle("#map");
+        browser.press(middle[0], middle[1]);
+        browser.until("document.querySelector('.bar').textContent.startsWith('1 point')");
+        browser.click(".bar button.main");
+    }
+
     @Override
     public void close() throws Exception {
         browser.close();

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -15,11 +14,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionSetup;
 import org.sami.session.person.PeopleFile;
-import org.sami.session.person.Person;
-import org.sami.session.person.PersonKey;
 import org.sami.session.person.PersonRole;
+import org.sami.session.server.testing.ServedSession;
 
 /** The page in a real browser, of a session that one base holds while another is its standby: one session, served by whichever of two servers holds it. */
 @Tag("long")
@@ -30,6 +27,7 @@ class SessionPageBasesTest {
     @TempDir
     private Path folder;
 
+    private ServedSession served;
     private Session session;
     private PeopleFile people;
     private SessionServer holder;
@@ -40,11 +38,9 @@ class SessionPageBasesTest {
     void serveAtOneBaseAndWaitAtTheOther() throws Exception {
         Optional<Path> program = TestBrowser.installed();
         assumeTrue(program.isPresent(), "there is no Chromium; get one by: apt-get install chromium");
-        session = Session.open(SessionSetup.of(
-                ServedPage.LIBRARY.vocabulary(),
-                ServedPage.LIBRARY.projectOf("station-keep").orElseThrow()));
-        people = new PeopleFile(folder.resolve("people"));
-        people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
+        served = ServedSession.ofPlan("station-keep", folder).with("anna", PersonRole.OPERATOR);
+        session = served.session();
+        people = served.people();
         standby = StandbyServer.start(people, ServerAddress.onThisMachine(0), Optional.empty(), SessionBases.NONE);
         int second = standby.listensAt().getPort();
         holder = serve(0, second);
@@ -52,7 +48,7 @@ class SessionPageBasesTest {
         standby = StandbyServer.start(
                 people, ServerAddress.onThisMachine(second), Optional.empty(), bases(port(holder), second));
         standby.say("the session is held by laptop-1");
-        session.begin();
+        served.begin();
         browser = new TestBrowser(program.get(), folder.resolve("profile"));
     }
 
@@ -61,13 +57,12 @@ class SessionPageBasesTest {
         if (browser != null) {
             browser.close();
             standby.close();
-            holder.close();
-            session.close();
+            served.close();
         }
     }
 
     private SessionServer serve(int port, int other) throws IOException {
-        return SessionServer.start(session, people, ServerAddress.onThisMachine(port), Optional.empty(), bases(other));
+        return served.serve(ServerAddress.onThisMachine(port), bases(other));
     }
 
     private static SessionBases bases(int... ports) {
@@ -97,11 +92,7 @@ class SessionPageBasesTest {
         browser.click("#panel .start button.main");
         browser.click("#tabs button:nth-child(1)");
         browser.click("#panel button.row");
-        browser.click(".decision .draw button");
-        double[] middle = browser.middle("#map");
-        browser.press(middle[0], middle[1]);
-        browser.until("document.querySelector('.bar').textContent.startsWith('1 point')");
-        browser.click(".bar button.main");
+        ServedPage.drawPoint(browser);
         int first = port(holder);
         int second = standby.listensAt().getPort();
 

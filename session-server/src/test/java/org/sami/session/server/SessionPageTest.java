@@ -56,11 +56,7 @@ class SessionPageTest {
         browser.click("#panel button.row");
         browser.until("document.querySelector('.decision .fields') !== null");
         browser.value("document.querySelectorAll('.decision input[type=number]').forEach(one => one.value ||= 1)");
-        browser.click(".decision .draw button");
-        double[] middle = browser.middle("#map");
-        browser.press(middle[0], middle[1]);
-        browser.until("document.querySelector('.bar').textContent.startsWith('1 point')");
-        browser.click(".bar button.main");
+        ServedPage.drawPoint(browser);
         browser.click(".decision .answers button.main");
 
         browser.until("document.querySelector('.decision') === null");
@@ -75,11 +71,7 @@ class SessionPageTest {
         page.join();
         page.start("station-keep");
         browser.click("#panel button.row");
-        browser.click(".decision .draw button");
-        double[] middle = browser.middle("#map");
-        browser.press(middle[0], middle[1]);
-        browser.until("document.querySelector('.bar').textContent.startsWith('1 point')");
-        browser.click(".bar button.main");
+        ServedPage.drawPoint(browser);
 
         browser.click("#tabs button:nth-child(2)");
         browser.until("document.querySelector('.decision') === null");

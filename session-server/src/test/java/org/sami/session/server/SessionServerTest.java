@@ -13,7 +13,6 @@ import java.net.http.HttpResponse;
 import java.net.http.WebSocket;
 import java.nio.file.Path;
 import java.security.cert.X509Certificate;
-import java.util.List;
 import java.util.Optional;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLEngine;
@@ -26,13 +25,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.security.Identity;
 import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionSetup;
 import org.sami.session.person.People;
 import org.sami.session.person.PeopleFile;
-import org.sami.session.person.Person;
-import org.sami.session.person.PersonKey;
 import org.sami.session.person.PersonRole;
-import org.sami.spn.json.DomainLibrary;
+import org.sami.session.server.testing.ServedSession;
 
 /** Several people at one session, over real sockets on loopback. */
 class SessionServerTest {
@@ -42,26 +38,21 @@ class SessionServerTest {
     @TempDir
     private Path folder;
 
+    private ServedSession served;
     private Session session;
     private PeopleFile people;
     private SessionServer server;
 
     @BeforeEach
     void serve() throws Exception {
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        session = Session.open(SessionSetup.of(
-                library.vocabulary(), library.projectOf("station-keep").orElseThrow()));
-        people = new PeopleFile(folder.resolve("people"));
-        add("anna", PersonRole.OPERATOR);
-        add("ben", PersonRole.OPERATOR);
-        add("otto", PersonRole.OBSERVER);
-        server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
-        session.begin();
-    }
-
-    private void add(String name, PersonRole role) throws Exception {
-        people.add(new Person(name, role, List.of(), PersonKey.hash("key of " + name)));
+        served = ServedSession.ofPlan("station-keep", folder)
+                .with("anna", PersonRole.OPERATOR)
+                .with("ben", PersonRole.OPERATOR)
+                .with("otto", PersonRole.OBSERVER);
+        session = served.session();
+        people = served.people();
+        server = served.serve();
+        served.begin();
     }
 
     private TestFront login(String name) throws Exception {
@@ -70,8 +61,7 @@ class SessionServerTest {
 
     @AfterEach
     void end() throws Exception {
-        server.close();
-        session.close();
+        served.close();
     }
 
     private static String answer(long id, JsonNode decision) {

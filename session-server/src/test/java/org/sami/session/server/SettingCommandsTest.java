@@ -3,8 +3,6 @@ package org.sami.session.server;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -14,21 +12,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
-import org.sami.boat.link.SteadyClock;
-import org.sami.boat.server.tcp.TcpServerListener;
-import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.proxy.status.BoatTuning;
-import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionSetup;
-import org.sami.crw.sim.boat.BoatOnTcp;
-import org.sami.crw.sim.boat.BoatSettings;
-import org.sami.session.person.PeopleFile;
-import org.sami.session.person.Person;
-import org.sami.session.person.PersonKey;
 import org.sami.session.person.PersonRole;
-import org.sami.spn.json.DomainLibrary;
-import org.sami.spn.value.GeoPoint;
+import org.sami.session.server.testing.ServedSession;
 
 /** Settings of a real boat, set by people over real sockets on loopback. */
 class SettingCommandsTest {
@@ -37,42 +24,27 @@ class SettingCommandsTest {
     @TempDir
     private Path folder;
 
+    private ServedSession served;
     private Session session;
     private SessionServer server;
-    private BoatOnTcp boat;
+    private MeasuringBoat boat;
 
     @BeforeEach
     void serve() throws Exception {
-        DomainLibrary library =
-                DomainLibrary.fromClassPath("/org/sami/domain/crw").orThrow();
-        session = Session.open(SessionSetup.of(
-                library.vocabulary(), library.projectOf("station-keep").orElseThrow()));
-        PeopleFile people = new PeopleFile(folder.resolve("people"));
-        people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
-        people.add(new Person("paul", PersonRole.PILOT, List.of(), PersonKey.hash("key of paul")));
-        server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
-        session.begin();
-        boat = new BoatOnTcp(
-                BoatSettings.of(
-                        "bella",
-                        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-                        GeoPoint.of(45.4, 10.9),
-                        1),
-                new SteadyClock(ProcessClock::ms),
-                TcpServerListener.NONE);
-        session.fleet()
-                .connect(new BoatAddress(
-                        boat.address().getAddress().getHostAddress(),
-                        boat.address().getPort()))
-                .toCompletableFuture()
-                .get();
+        served = ServedSession.ofPlan("station-keep", folder)
+                .with("anna", PersonRole.OPERATOR)
+                .with("paul", PersonRole.PILOT);
+        session = served.session();
+        server = served.serve();
+        served.begin();
+        boat = new MeasuringBoat();
+        boat.join(session);
     }
 
     @AfterEach
     void end() throws Exception {
         boat.close();
-        server.close();
-        session.close();
+        served.close();
     }
 
     private TestFront login(String name) throws Exception {

@@ -12,7 +12,6 @@ import java.sql.Statement;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HexFormat;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -29,63 +28,25 @@ import org.sami.spn.engine.StateCodec;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.JournalEntry;
 import org.sami.spn.host.JournalException;
-import org.sami.spn.json.ProjectWriter;
-import org.sami.spn.json.VocabularyFiles;
-import org.sami.spn.json.VocabularyReader;
-import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
-import org.sami.spn.testing.NetBuilder;
-import org.sami.spn.vocabulary.Vocabulary;
+import org.sami.spn.testing.TripProject;
 
 /** A journal is followed while it is written, and its state is that of whoever reads it afterwards. */
 class JournalFollowerTest {
-    private static final Map<String, String> WORDS = words();
-    private static final Vocabulary VOCABULARY =
-            VocabularyReader.read(new VocabularyFiles(WORDS)).orThrow();
-
     @TempDir
     Path folder;
 
-    private final Engine engine = new Engine(VOCABULARY, project("going"));
+    private final Engine engine = new Engine(TripProject.VOCABULARY, TripProject.startingIn("going"));
     private final EngineState state = engine.newState();
     private JournalAddress address;
     private SqliteJournal journal;
-
-    private static Map<String, String> words() {
-        Map<String, String> words = new LinkedHashMap<>();
-        words.put(
-                "domain.json",
-                "{\"formatVersion\": 1, \"domain\": \"test\", \"label\": \"Test\", \"files\": [\"events.json\"],"
-                        + " \"library\": []}");
-        words.put(
-                "events.json",
-                "{\"events\": [{\"name\": \"Go\", \"direction\": \"output\", \"label\": \"Go\", \"help\": \"Goes.\","
-                    + " \"answers\": [\"Went\"]}, {\"name\": \"Went\", \"direction\": \"input\", \"label\": \"Went\","
-                    + " \"help\": \"Went.\"}]}");
-        return words;
-    }
-
-    private static Project project(String place) {
-        return NetBuilder.project(new NetBuilder("trip")
-                .start(place)
-                .output(place, "Go")
-                .end("gone")
-                .transition("arrive", "Went")
-                .in(place, "arrive", "generic >= 1")
-                .out("arrive", "gone", "take all any")
-                .build());
-    }
-
-    private static JournalHeader header(Map<String, String> settings) {
-        return JournalHeader.of(new ProjectWriter(VOCABULARY).text(project("going")), WORDS, settings);
-    }
 
     @BeforeEach
     void begin() throws IOException {
         Path file = folder.resolve("session.journal");
         address = JournalAddress.of(file);
-        journal = SqliteJournal.create(file, header(Map.of()), JournalOptions.DEFAULT.withSnapshotEvery(7));
+        journal = SqliteJournal.create(file, TripProject.header(Map.of()), JournalOptions.DEFAULT.withSnapshotEvery(7));
     }
 
     @AfterEach
@@ -100,8 +61,7 @@ class JournalFollowerTest {
             long index = journal.lastIndex() + i;
             Input input = switch (random.nextInt(8)) {
                 case 0 -> new Input.ProxyJoined("b" + index);
-                case 1 ->
-                    new Input.LoadProject(new ProjectWriter(VOCABULARY).text(project("place-" + random.nextInt(3))));
+                case 1 -> new Input.LoadProject(TripProject.text("place-" + random.nextInt(3)));
                 case 2, 3, 4 -> new Input.StartMission("trip", "trip " + index, Map.of());
                 case 5 -> new Input.AbortMission(1 + random.nextInt(9));
                 default -> {
@@ -256,7 +216,7 @@ class JournalFollowerTest {
     @Test
     void aJournalThatThisProgramCannotGoOnWithIsRefusedForGood() throws Exception {
         Path file = folder.resolve("older.journal");
-        SqliteJournal.create(file, header(Map.of(RuleVersion.SETTING, "1")), JournalOptions.DEFAULT)
+        SqliteJournal.create(file, TripProject.header(Map.of(RuleVersion.SETTING, "1")), JournalOptions.DEFAULT)
                 .close();
         try (JournalFollower follower = new JournalFollower(JournalAddress.of(file))) {
             assertThatThrownBy(follower::follow)

@@ -12,48 +12,26 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.host.JournalException;
-import org.sami.spn.json.ProjectWriter;
-import org.sami.spn.json.VocabularyFiles;
-import org.sami.spn.json.VocabularyReader;
-import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
-import org.sami.spn.testing.NetBuilder;
+import org.sami.spn.testing.TripProject;
 
 class JournalPlansTest {
-    private static final String DOMAIN = "{\"formatVersion\": 1, \"domain\": \"test\", \"label\": \"Test\","
-            + " \"files\": [\"events.json\"], \"library\": []}";
-    private static final String EVENTS = "{\"events\": ["
-            + "{\"name\": \"Go\", \"direction\": \"output\", \"label\": \"Go\", \"help\": \"Goes.\", \"answers\": [\"Went\"]},"
-            + "{\"name\": \"Went\", \"direction\": \"input\", \"label\": \"Went\", \"help\": \"Went.\"}]}";
-    private static final Project PROJECT = NetBuilder.project(new NetBuilder("trip")
-            .start("going")
-            .output("going", "Go")
-            .end("gone")
-            .transition("arrive", "Went")
-            .in("going", "arrive", "generic >= 1")
-            .out("arrive", "gone", "take all any")
-            .build());
-
-    private static final String PROJECT_TEXT = new ProjectWriter(
-                    VocabularyReader.read(new VocabularyFiles(Map.of("domain.json", DOMAIN, "events.json", EVENTS)))
-                            .orThrow())
-            .text(PROJECT);
+    private static final JournalHeader HEADER = TripProject.header(Map.of());
 
     @TempDir
     Path folder;
 
-    private static JournalHeader header(String events) {
-        Map<String, String> vocabulary = new LinkedHashMap<>();
-        vocabulary.put("domain.json", DOMAIN);
+    private static JournalHeader withEvents(String events) {
+        Map<String, String> vocabulary = new LinkedHashMap<>(HEADER.vocabulary());
         vocabulary.put("events.json", events);
-        return JournalHeader.of(PROJECT_TEXT, vocabulary, Map.of());
+        return JournalHeader.of(HEADER.project(), vocabulary, Map.of());
     }
 
     @Test
     void aSessionGoesOnWithThePlansThatItsJournalHolds() throws IOException {
         Path file = folder.resolve("session.journal");
-        SqliteJournal.create(file, header(EVENTS), JournalOptions.DEFAULT).close();
+        SqliteJournal.create(file, HEADER, JournalOptions.DEFAULT).close();
 
         try (SqliteJournal journal = SqliteJournal.open(file, JournalOptions.DEFAULT)) {
             Engine engine = JournalPlans.engine(JournalAddress.of(file), journal.header());
@@ -64,7 +42,7 @@ class JournalPlansTest {
                             JournalAddress.of(file),
                             journal.header(),
                             JournalPlans.vocabulary(JournalAddress.of(file), journal.header())))
-                    .isEqualTo(PROJECT);
+                    .isEqualTo(TripProject.startingIn("going"));
         }
     }
 
@@ -72,11 +50,11 @@ class JournalPlansTest {
     void plansThatThisProgramCannotReadAreNamed() {
         Path file = folder.resolve("session.journal");
 
-        assertThatThrownBy(() -> JournalPlans.engine(JournalAddress.of(file), header("{\"events\": 7}")))
+        assertThatThrownBy(() -> JournalPlans.engine(JournalAddress.of(file), withEvents("{\"events\": 7}")))
                 .isInstanceOf(JournalException.class)
                 .hasMessageContaining(file.toString())
                 .hasMessageContaining("vocabulary");
-        JournalHeader noProject = JournalHeader.of("no JSON", header(EVENTS).vocabulary(), Map.of());
+        JournalHeader noProject = JournalHeader.of("no JSON", HEADER.vocabulary(), Map.of());
         assertThatThrownBy(() -> JournalPlans.engine(JournalAddress.of(file), noProject))
                 .isInstanceOf(JournalException.class)
                 .hasMessageContaining("project");

@@ -436,7 +436,7 @@ public final class WindowRobot {
     }
 
     private static Point onScreen(Component component, Point at) {
-        Point point = ask(component::getLocationOnScreen);
+        Point point = placeOf(component);
         point.translate(at.x, at.y);
         return point;
     }
@@ -459,6 +459,7 @@ public final class WindowRobot {
                 robot.mouseMove(end.x + i % 2, end.y);
                 LockSupport.parkNanos(LOOK_NANOS);
             }
+            robot.setAutoWaitForIdle(false); // a busy window is never idle, and the end of the drag is waited for below
             robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
             until("what is dragged is let go", seen::isOver);
             return seen.isTaken();

@@ -37,9 +37,9 @@ final class FleetValues {
                 .toList();
     }
 
-    private static Subject boats() {
+    private static SubjectDefaults boats() {
         String settings = "the boat's settings in the operator's window";
-        return new Subject("Boats")
+        return new SubjectDefaults("Boats")
                 .text(
                         "lost-link action",
                         LinkDefaults.LOST_LINK_ACTION.name().toLowerCase(Locale.ROOT),
@@ -118,8 +118,8 @@ final class FleetValues {
         return gains.proportional() + " " + gains.integral() + " " + gains.derivative();
     }
 
-    private static Subject links() {
-        return new Subject("Links")
+    private static SubjectDefaults links() {
+        return new SubjectDefaults("Links")
                 .millis(
                         "link lost",
                         LinkDefaults.LINK_LOST_AFTER_MS,
@@ -154,8 +154,8 @@ final class FleetValues {
                         "A boat that has not answered for this time is a fault of the session.");
     }
 
-    private static Subject commands() {
-        return new Subject("Commands")
+    private static SubjectDefaults commands() {
+        return new SubjectDefaults("Commands")
                 .number("tries", CommandDefaults.MAX_TRIES, "", "A command that fails is tried this often.")
                 .millis(
                         "no progress shown",
@@ -180,8 +180,8 @@ final class FleetValues {
                         "A measurement fails after this time without a reading.");
     }
 
-    private static Subject planning() {
-        return new Subject("Planning")
+    private static SubjectDefaults planning() {
+        return new SubjectDefaults("Planning")
                 .number(
                         "range",
                         Range.METRES_PER_PERCENT,
@@ -211,8 +211,8 @@ final class FleetValues {
                         "A computation of paths, areas or allocations is given up after this time.");
     }
 
-    private static Subject warnings() {
-        return new Subject("Warnings")
+    private static SubjectDefaults warnings() {
+        return new SubjectDefaults("Warnings")
                 .millis(
                         "position stale",
                         AlarmLimits.POSITION_STALE_AFTER_MS,
@@ -295,8 +295,8 @@ final class FleetValues {
                         "Share of its memory from which the program has nearly none left.");
     }
 
-    private static Subject engine() {
-        return new Subject("Engine and files")
+    private static SubjectDefaults engine() {
+        return new SubjectDefaults("Engine and files")
                 .number(
                         "livelock",
                         Engine.DEFAULT_LIVELOCK_LIMIT,
@@ -315,8 +315,8 @@ final class FleetValues {
                         "Larger files of settings and answers are refused.");
     }
 
-    private static Subject suggestions() {
-        return new Subject("Suggestions at an edge")
+    private static SubjectDefaults suggestions() {
+        return new SubjectDefaults("Suggestions at an edge")
                 .text(
                         "teams",
                         SuggestionRequest.TEAMS.stream().map(String::valueOf).collect(Collectors.joining(", ")),

@@ -9,7 +9,7 @@ final class SimulationValues {
     private SimulationValues() {}
 
     static List<DefaultValue> all() {
-        return new Subject("Simulated boats")
+        return new SubjectDefaults("Simulated boats")
                 .number(
                         "battery",
                         Energy.USUAL_BATTERY_WH,

@@ -183,7 +183,7 @@ public final class ServeCommand implements Callable<Integer> {
 
     private int run(
             Session session,
-            SessionOptions.Begin begin,
+            SessionOpening.Begin begin,
             ServerAddress at,
             Optional<PairedBase> paired,
             StopOnInterrupt stop)

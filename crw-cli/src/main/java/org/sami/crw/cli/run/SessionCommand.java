@@ -85,7 +85,7 @@ public final class SessionCommand implements Callable<Integer> {
         return options.open(attended, (session, begin) -> run(session, begin, attended));
     }
 
-    private int run(Session session, SessionOptions.Begin begin, boolean attended) throws IOException {
+    private int run(Session session, SessionOpening.Begin begin, boolean attended) throws IOException {
         try (Console console = new Console(session);
                 LineSource lines = lines(console)) {
             ConsoleEnd end = new ConsoleEnd(console, lines, attended);

@@ -5,11 +5,9 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.sami.boat.mavlink.StationAddress;
@@ -25,18 +23,12 @@ import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.cli.station.StationLinks;
-import org.sami.crw.fleet.RobotKind;
-import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.Session;
-import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.session.fault.BoatsAtFault;
 import org.sami.crw.session.fault.FaultPolicy;
-import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 import org.sami.crw.sim.boat.WaterAround;
-import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.spn.journal.JournalAddress;
@@ -50,7 +42,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** The options with which a session is opened, and its opening; {@code crw session} and {@code crw serve} have them alike. */
+/** The options with which a session is opened; {@code crw session} and {@code crw serve} have them alike. */
 final class SessionOptions {
     @Spec(Spec.Target.MIXEE)
     @SuppressWarnings("NullAway.Init") // picocli sets it
@@ -98,8 +90,8 @@ final class SessionOptions {
             converter = ConditionsConverter.class,
             description =
                     "The water of simulated boats, and the errors of boats that do not report theirs: calm, field or"
-                            + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
-                            + " field; of a session that is resumed, its own).")
+                        + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
+                        + " field; of a session that is resumed, its own).")
     private @Nullable NamedConditions conditions;
 
     @Option(
@@ -129,39 +121,6 @@ final class SessionOptions {
     private BoatsAtFault onFault = BoatsAtFault.HOLD;
 
     /**
-     * What is to be opened.
-     *
-     * @param stated the errors of boats that do not report theirs
-     * @param water of simulated boats; empty for calm water
-     * @param around what there is on that water
-     * @param goesOn whether the journal has a session already
-     */
-    private record Asked(
-            SessionSetup setup,
-            NamedConditions stated,
-            Optional<NamedConditions> water,
-            WaterAround around,
-            boolean goesOn) {}
-
-    /** Begins a session, with the boats that are to be connected. */
-    @FunctionalInterface
-    interface Begin {
-        /** Begins it; says by lines what of earlier processes goes on. */
-        void begin(Consumer<String> lines) throws IOException;
-    }
-
-    /** What a command does with a session that is open and has not begun. */
-    @FunctionalInterface
-    interface Use {
-        /**
-         * Runs it.
-         *
-         * @return the exit code
-         */
-        int run(Session session, Begin begin) throws IOException, InterruptedException;
-    }
-
-    /**
      * Has the session be kept in a journal that no option names.
      *
      * @throws UsageFault if an option names one
@@ -180,7 +139,7 @@ final class SessionOptions {
      * @return the exit code
      * @throws UsageFault if the options do not fit
      */
-    int open(boolean attended, Use use) throws IOException, InterruptedException {
+    int open(boolean attended, SessionOpening.Use use) throws IOException, InterruptedException {
         return open(attended, Optional.empty(), use);
     }
 
@@ -190,7 +149,7 @@ final class SessionOptions {
      * @param lines what is waited for, for people
      * @throws java.io.InterruptedIOException if the thread is interrupted while it waits
      */
-    int takeOver(Consumer<String> lines, Use use) throws IOException, InterruptedException {
+    int takeOver(Consumer<String> lines, SessionOpening.Use use) throws IOException, InterruptedException {
         if (journal == null || journal.file().isPresent()) {
             throw new UsageFault(
                     "--standby needs a database that both bases reach: --journal postgresql://HOST:PORT/DATABASE");
@@ -198,7 +157,7 @@ final class SessionOptions {
         return open(false, Optional.of(EarlierSession.ofAnotherBase(journal, lines)), use);
     }
 
-    private int open(boolean attended, Optional<EarlierSession> later, Use use)
+    private int open(boolean attended, Optional<EarlierSession> later, SessionOpening.Use use)
             throws IOException, InterruptedException {
         links.use();
         List<BoatAddress> addresses = addresses();
@@ -206,11 +165,15 @@ final class SessionOptions {
         if (unfit.isPresent()) {
             throw new UsageFault("--mavlink: " + unfit.get());
         }
-        Optional<Asked> asked = later.isPresent() ? Optional.of(resumed(later.get())) : asked();
-        return asked.isEmpty() ? ExitCode.FINDINGS : open(asked.get(), addresses, attended, use);
+        Optional<SessionOpening.Asked> asked = later.isPresent() ? Optional.of(resumed(later.get())) : asked();
+        if (asked.isEmpty()) {
+            return ExitCode.FINDINGS;
+        }
+        FaultPolicy policy = (attended ? FaultPolicy.ATTENDED : FaultPolicy.ALONE).with(onFault);
+        return new SessionOpening(asked.get(), addresses, policy, Optional.ofNullable(mavlink)).run(use);
     }
 
-    private Optional<Asked> asked() throws IOException {
+    private Optional<SessionOpening.Asked> asked() throws IOException {
         JournalAddress from = journal;
         return from != null && EarlierSession.isThere(from) ? Optional.of(resumed(EarlierSession.at(from))) : fresh();
     }
@@ -235,23 +198,23 @@ final class SessionOptions {
         return addresses;
     }
 
-    private Asked resumed(EarlierSession earlier) throws IOException {
+    private SessionOpening.Asked resumed(EarlierSession earlier) throws IOException {
         if (name != null) {
             throw new UsageFault("the project is that of " + journal + "; leave out '" + name + "'");
         }
         SessionJournal opened = earlier.open();
         Map<String, String> settings =
                 opened.header().map(JournalHeader::settings).orElse(Map.of());
-        return new Asked(
+        return new SessionOpening.Asked(
                 SessionSetup.resumed(opened),
                 conditions == null ? NamedConditions.of(settings) : conditions,
                 Optional.ofNullable(conditions).or(() -> NamedConditions.ofWater(settings)),
                 around().orAsBefore(WaterAround.of(settings)),
-                true);
+                Optional.ofNullable(journal));
     }
 
     /** A new session; empty where its project has errors, which are printed. */
-    private Optional<Asked> fresh() throws IOException {
+    private Optional<SessionOpening.Asked> fresh() throws IOException {
         Optional<DomainLibrary> words = domain.library(spec.commandLine().getErr());
         if (words.isEmpty()) {
             return Optional.empty();
@@ -280,7 +243,8 @@ final class SessionOptions {
                 settings);
         SessionJournal kept = journal == null ? SessionJournal.none(header) : SessionJournal.create(journal, header);
         SessionSetup setup = SessionSetup.of(library.vocabulary(), project).with(kept);
-        return Optional.of(new Asked(setup, stated, Optional.ofNullable(conditions), around, false));
+        return Optional.of(
+                new SessionOpening.Asked(setup, stated, Optional.ofNullable(conditions), around, Optional.empty()));
     }
 
     /** What the options name; nothing where they name nothing. */
@@ -288,45 +252,5 @@ final class SessionOptions {
         return new WaterAround(
                 vessels == null ? ForeignVessels.NONE : VesselsFile.read(vessels, "--vessels"),
                 layers.layers(Path.of("")));
-    }
-
-    private int open(Asked asked, List<BoatAddress> addresses, boolean attended, Use use)
-            throws IOException, InterruptedException {
-        Conditions ofSimulated = asked.water().map(NamedConditions::conditions).orElse(Conditions.CALM);
-        SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(
-                1, ofSimulated, HandlerModules.robotsOf(asked.setup().vocabulary()));
-        asked.around().under(simulated);
-        StationLinks stations = new StationLinks(simulated);
-        if (mavlink != null && simulated.robots() != RobotKind.BOAT) {
-            throw new UsageFault("--mavlink shows boats, and this session has none");
-        } else if (mavlink != null) {
-            stations.start(mavlink);
-        }
-        SessionRuntime runtime = SessionRuntime.RealTime.ofThisProcess().withSimulatedBoats(simulated);
-        FaultPolicy policy = (attended ? FaultPolicy.ATTENDED : FaultPolicy.ALONE).with(onFault);
-        SessionSetup setup =
-                asked.setup().with(asked.stated().services()).with(runtime).with(policy);
-        try (Session session = Session.open(setup)) {
-            Thread.setDefaultUncaughtExceptionHandler(session.faults().guard());
-            return use.run(session, lines -> begin(session, asked.goesOn(), addresses, lines));
-        } finally {
-            stations.stop();
-            Thread.setDefaultUncaughtExceptionHandler(null);
-        }
-    }
-
-    private void begin(Session session, boolean goesOn, List<BoatAddress> addresses, Consumer<String> lines)
-            throws IOException {
-        if (goesOn) {
-            Set<BoatAddress> known = new HashSet<>(addresses);
-            List<String> boats = session.earlierBoats().reconnect(known);
-            lines.accept("going on with " + journal + (boats.isEmpty() ? "" : ", with " + String.join(", ", boats)));
-            String damage = session.setup().journal().damage();
-            if (!damage.isEmpty()) {
-                lines.accept("crw: " + journal + " is damaged: " + damage);
-            }
-        }
-        addresses.forEach(session.fleet()::connect);
-        session.begin();
     }
 }

@@ -17,8 +17,8 @@ import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalHeader;
 
 /**
- * Opens a session of the same plans beforehand, without a journal and without a boat, and closes it again: what it takes of classes is loaded then, and a take-over need not wait for it. Nothing of it
- * begins, and nobody can log in to it.
+ * Opens a session of the same plans in advance, without a journal and without a boat, and closes it again. This loads the classes that a session needs, so that a take-over does not wait for
+ * them. The session does not begin, and nobody can log in to it.
  */
 final class SessionWarmUp implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(SessionWarmUp.class.getName());

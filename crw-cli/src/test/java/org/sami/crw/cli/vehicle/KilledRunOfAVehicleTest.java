@@ -51,22 +51,26 @@ class KilledRunOfAVehicleTest {
                     "0.2",
                     "--journal",
                     journal.toString());
-            Await.until("it is under way", WAIT_S, () -> boat.visited().size() > 200);
+            Await.until(
+                    "it is under way", WAIT_S, () -> boat.mission().visited().size() > 200);
             first.destroyForcibly().waitFor();
-            int killed = boat.visited().size();
-            Await.until("it drives on by itself", WAIT_S, () -> boat.visited().size() > killed + 20);
+            int killed = boat.mission().visited().size();
+            Await.until(
+                    "it drives on by itself",
+                    WAIT_S,
+                    () -> boat.mission().visited().size() > killed + 20);
             boat.faults()
                     .stuck(true); // the next process may start slowly, and the vehicle is not to come to the end of
             // its part
 
             Process second = crw("second", "resume", journal.toString());
-            int alone = boat.visited().size();
+            int alone = boat.mission().visited().size();
             Await.until("it is taken up where it is", WAIT_S, () -> visitedBy("second") >= alone - 1);
-            assertThat(boat.uploads()).isEqualTo(1);
+            assertThat(boat.mission().uploads()).isEqualTo(1);
             boat.faults().stuck(false);
 
             assertThat(second.waitFor()).isZero();
-            assertThat(boat.visited()).hasSize(LOCATIONS).doesNotHaveDuplicates();
+            assertThat(boat.mission().visited()).hasSize(LOCATIONS).doesNotHaveDuplicates();
             assertThat(boat.armings()).isEqualTo(1);
         } finally {
             started.forEach(Process::destroyForcibly);

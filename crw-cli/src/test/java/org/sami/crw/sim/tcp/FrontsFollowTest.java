@@ -68,21 +68,21 @@ class FrontsFollowTest {
 
     private void follow(Ending ending) throws Exception {
         String journal = TestDatabase.address().text();
-        try (TwoBases bases = new TwoBases(folder)) {
+        try (BaseAndStandby bases = new BaseAndStandby(folder)) {
             CrwProcess first = bases.serve(journal);
             bases.standBy(journal);
             try (RemoteSession anna = bases.front()) {
                 CrwProcess console = bases.console("wait decision within 120", "wait ended within 300", "quit");
-                TwoBases.await(console, "the session goes on when this console is left");
+                BaseAndStandby.await(console, "the session goes on when this console is left");
                 get(anna.start(PLAN, PLAN, Map.of()));
                 PendingDecision asked = asked(anna);
-                TwoBases.await(console, "> wait ended");
+                BaseAndStandby.await(console, "> wait ended");
 
                 ending.end(first);
 
-                assertThat(bases.heard("connection lost ("))
+                assertThat(bases.notices().next("connection lost ("))
                         .endsWith("; trying " + bases.first() + ", " + bases.second());
-                assertThat(bases.heard("back at ws")).isEqualTo("back at " + bases.second());
+                assertThat(bases.notices().next("back at ws")).isEqualTo("back at " + bases.second());
                 assertThat(asked(anna)).isEqualTo(asked);
                 assertHalfIsJudged(anna, asked);
                 get(anna.abortAll());
@@ -110,7 +110,7 @@ class FrontsFollowTest {
     void timeUntilAutonomyAnswersGoesOnAtTheNextBase() throws Exception {
         String journal = TestDatabase.address().text();
         Path project = Files.writeString(folder.resolve("timed.json"), TIMED);
-        try (TwoBases bases = new TwoBases(folder)) {
+        try (BaseAndStandby bases = new BaseAndStandby(folder)) {
             CrwProcess first = bases.serve(journal, project.toString());
             bases.standBy(journal);
             try (RemoteSession anna = bases.front()) {
@@ -130,7 +130,7 @@ class FrontsFollowTest {
 
                 first.kill();
 
-                bases.heard("back at ws");
+                bases.notices().next("back at ws");
                 assertThat(asked(anna)).isEqualTo(asked);
                 assertThat(get(answered)).contains(Answerer.AUTONOMY);
                 assertThat(anna.nowMillis())
@@ -143,7 +143,7 @@ class FrontsFollowTest {
     @Test
     void frontLeavesABaseThatStandsStillAndDoesNotGoBackToIt() throws Exception {
         String journal = TestDatabase.address().text();
-        try (TwoBases bases = new TwoBases(folder)) {
+        try (BaseAndStandby bases = new BaseAndStandby(folder)) {
             CrwProcess first = bases.serve(journal);
             bases.standBy(journal);
             try (RemoteSession anna = bases.front()) {
@@ -151,11 +151,13 @@ class FrontsFollowTest {
 
                 first.standStill(true);
 
-                assertThat(bases.heard("nothing comes from ")).startsWith("nothing comes from " + bases.first());
-                assertThat(bases.heard("connection lost (")).startsWith("connection lost (nothing came for 5 s)");
-                assertThat(bases.heard("back at ws")).isEqualTo("back at " + bases.second());
+                assertThat(bases.notices().next("nothing comes from "))
+                        .startsWith("nothing comes from " + bases.first());
+                assertThat(bases.notices().next("connection lost ("))
+                        .startsWith("connection lost (nothing came for 5 s)");
+                assertThat(bases.notices().next("back at ws")).isEqualTo("back at " + bases.second());
                 first.standStill(false);
-                Await.until("the first knows that it was followed", TwoBases.AT_MOST_S, () -> !first.isAlive());
+                Await.until("the first knows that it was followed", BaseAndStandby.AT_MOST_S, () -> !first.isAlive());
                 assertThat(first.out()).contains(" took the session over at ");
                 get(anna.caughtUp());
                 assertThat(anna.address()).hasToString(bases.second());
@@ -166,7 +168,7 @@ class FrontsFollowTest {
     @Test
     void frontLeavesABaseThatIsCutOffFromTheJournalOnceAnotherHoldsTheSession() throws Exception {
         PostgresAddress journal = TestDatabase.address();
-        try (TwoBases bases = new TwoBases(folder);
+        try (BaseAndStandby bases = new BaseAndStandby(folder);
                 ForwardedPort database = new ForwardedPort()) {
             String port = journal.text().split("localhost:")[1].split("/")[0];
             database.leadTo(Integer.parseInt(port));
@@ -177,8 +179,8 @@ class FrontsFollowTest {
 
                 database.shut();
 
-                assertThat(bases.heard("connection lost (")).contains(bases.first() + " stands still");
-                assertThat(bases.heard("back at ws")).isEqualTo("back at " + bases.second());
+                assertThat(bases.notices().next("connection lost (")).contains(bases.first() + " stands still");
+                assertThat(bases.notices().next("back at ws")).isEqualTo("back at " + bases.second());
                 assertThat(first.isAlive()).as("the base that is cut off").isTrue();
                 get(anna.start(PLAN, PLAN, Map.of()));
             }
@@ -189,7 +191,7 @@ class FrontsFollowTest {
     void baseThatIsEndedInOrderGivesTheSessionBackAtOnce() throws Exception {
         PostgresAddress journal = TestDatabase.address();
         String held = "SELECT count(*) FROM lease WHERE ends > clock_timestamp()";
-        try (TwoBases bases = new TwoBases(folder)) {
+        try (BaseAndStandby bases = new BaseAndStandby(folder)) {
             CrwProcess base = bases.serve(journal.text());
             assertThat(TestDatabase.number(journal, held)).isOne();
 

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
@@ -15,22 +14,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.spn.journal.JournalAddress;
-import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.journal.JournalOptions;
 import org.sami.spn.journal.StoredJournal;
-import org.sami.spn.json.ProjectWriter;
-import org.sami.spn.json.VocabularyFiles;
-import org.sami.spn.json.VocabularyReader;
-import org.sami.spn.testing.NetBuilder;
-import org.sami.spn.vocabulary.Vocabulary;
+import org.sami.spn.testing.TripProject;
 
 /** A standby takes the state that it applied only where nothing went wrong while it did. */
 @Timeout(60)
 class WarmStandbyTest {
-    private static final Map<String, String> WORDS = words();
-    private static final Vocabulary VOCABULARY =
-            VocabularyReader.read(new VocabularyFiles(WORDS)).orThrow();
-
     @TempDir
     Path folder;
 
@@ -39,33 +29,10 @@ class WarmStandbyTest {
     private JournalAddress address;
     private StoredJournal journal;
 
-    private static Map<String, String> words() {
-        Map<String, String> words = new LinkedHashMap<>();
-        words.put(
-                "domain.json",
-                "{\"formatVersion\": 1, \"domain\": \"test\", \"label\": \"Test\", \"files\": [\"events.json\"],"
-                        + " \"library\": []}");
-        words.put(
-                "events.json",
-                "{\"events\": [{\"name\": \"Go\", \"direction\": \"output\", \"label\": \"Go\", \"help\": \"Goes.\","
-                        + " \"answers\": [\"Went\"]}, {\"name\": \"Went\", \"direction\": \"input\", \"label\": \"Went\","
-                        + " \"help\": \"Went.\"}]}");
-        return words;
-    }
-
     @BeforeEach
     void begin() throws IOException {
         address = JournalAddress.of(folder.resolve("session.journal"));
-        String project = new ProjectWriter(VOCABULARY)
-                .text(NetBuilder.project(new NetBuilder("trip")
-                        .start("going")
-                        .output("going", "Go")
-                        .end("gone")
-                        .transition("arrive", "Went")
-                        .in("going", "arrive", "generic >= 1")
-                        .out("arrive", "gone", "take all any")
-                        .build()));
-        journal = address.create(JournalHeader.of(project, WORDS, Map.of()), JournalOptions.DEFAULT);
+        journal = address.create(TripProject.header(Map.of()), JournalOptions.DEFAULT);
     }
 
     @AfterEach

@@ -8,38 +8,31 @@ import java.nio.file.Path;
 import java.time.LocalTime;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.cli.CrwProcess;
 import org.sami.session.client.KnownServers;
 import org.sami.session.client.Login;
-import org.sami.session.client.PersonRights;
-import org.sami.session.client.RemoteListener;
 import org.sami.session.client.RemoteSession;
 import org.sami.session.client.ServerTrust;
 import org.sami.session.client.SessionAddress;
+import org.sami.session.client.testing.FrontNotices;
 
-/** A base that holds a session and its standby, both processes on one journal in PostgreSQL, whose addresses are known before them; and a front that notes what it gets to know. */
-final class TwoBases implements RemoteListener, AutoCloseable {
+/** A base that holds a session and its standby, both processes on one journal in PostgreSQL, whose addresses are known before them; and a front. */
+final class BaseAndStandby implements AutoCloseable {
     /** A machine with much else to do starts processes slowly. */
     static final double AT_MOST_S = 120;
-
-    private static final long AT_MOST_MILLIS = 300_000;
 
     private final Path folder;
     private final ForwardedPort one = new ForwardedPort();
     private final ForwardedPort two = new ForwardedPort();
     private final List<CrwProcess> processes = new ArrayList<>();
     private final ExecutorService front = Executors.newSingleThreadExecutor();
-    private final BlockingQueue<String> heard = new LinkedBlockingQueue<>();
+    private final FrontNotices notices = new FrontNotices();
 
     /** Addresses of which nothing is behind yet. */
-    TwoBases(Path folder) throws IOException {
+    BaseAndStandby(Path folder) throws IOException {
         this.folder = folder;
     }
 
@@ -91,7 +84,7 @@ final class TwoBases implements RemoteListener, AutoCloseable {
     RemoteSession front() throws Exception {
         ServerTrust trust = new ServerTrust(new KnownServers(folder.resolve("servers")), (authority, print) -> false);
         return RemoteSession.open(
-                List.of(SessionAddress.parse(first())), new Login("anna", ""), trust, front, this, LocalTime::now);
+                List.of(SessionAddress.parse(first())), new Login("anna", ""), trust, front, notices, LocalTime::now);
     }
 
     /** Waits until a process has said something. */
@@ -107,39 +100,9 @@ final class TwoBases implements RemoteListener, AutoCloseable {
         return Integer.parseInt(at.substring(0, at.indexOf('/')));
     }
 
-    /** What the front got to know next that begins so; lines before it are passed over. */
-    String heard(String beginning) throws InterruptedException {
-        String line = "";
-        while (!line.startsWith(beginning)) {
-            line = Optional.ofNullable(heard.poll(AT_MOST_MILLIS, TimeUnit.MILLISECONDS))
-                    .orElseThrow();
-        }
-        return line;
-    }
-
-    @Override
-    public void lost(String words) {
-        heard.add(words);
-    }
-
-    @Override
-    public void back(SessionAddress base) {
-        heard.add("back at " + base);
-    }
-
-    @Override
-    public void ended(String why) {
-        heard.add("ended: " + why);
-    }
-
-    @Override
-    public void rights(PersonRights now) {
-        heard.add("role: " + now.role());
-    }
-
-    @Override
-    public void news(String text) {
-        heard.add(text);
+    /** What the front is told. */
+    FrontNotices notices() {
+        return notices;
     }
 
     @Override

@@ -6,11 +6,11 @@ import org.sami.mavlink.vehicle.StatusText;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
-/** Names who has taken a vehicle from the base: its own failsafe if the vehicle reports one, else a person. For the gateway's thread. */
-final class OtherHands {
+/** Names who controls a vehicle instead of the base: its own failsafe if the vehicle reports one, else a person. For the gateway's thread. */
+final class OtherController {
     private static final long WORDS_MS = 4_000; // between a failsafe's words and its mode
 
-    /** In these it obeys sticks only. */
+    /** In these modes it obeys sticks only. */
     private static final Set<String> BY_STICKS = Set.of("MANUAL", "ACRO", "STEERING", "SIMPLE");
 
     private static final Set<String> COPTER_BY_STICKS =
@@ -28,7 +28,7 @@ final class OtherHands {
         }
     }
 
-    /** Whether it carries out a failsafe for want of charge. */
+    /** Whether it carries out a failsafe for a low battery. */
     boolean isBatteryFailsafe(VehicleSnapshot vehicle) {
         return vehicle.health().failsafe() && words.toLowerCase(Locale.ROOT).contains("batt");
     }

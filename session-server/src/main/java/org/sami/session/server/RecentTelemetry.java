@@ -12,10 +12,10 @@ import org.sami.crw.session.archive.PictureRows;
 import org.sami.spn.journal.TelemetryRow;
 
 /**
- * The latest rows of telemetry, as many of each kind as somebody needs who begins to follow a session: how boats are and what they are to do, what operators did, what
- * sensors measured. Not safe for threads.
+ * The latest rows of telemetry, as many of each kind as a front needs that begins to follow a session: states and commands of boats, the log of operators, readings of
+ * sensors. Not safe for threads.
  */
-final class KeptRows {
+final class RecentTelemetry {
     private static final int COMMANDS = 60; // of a boat: those in its queue, and what became of the last
     private static final int ENDS = 20; // of a boat
     private static final int READINGS = 200; // rows of a boat

@@ -4,8 +4,8 @@ import io.dronefleet.mavlink.common.RequestDataStream;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /** Asks a vehicle to stop its own streams on a link, which would fill a slow one; heartbeats, answers and texts still come. */
-final class Silence {
-    private Silence() {}
+final class StreamStop {
+    private StreamStop() {}
 
     /** The message that asks for it. */
     @SuppressWarnings("deprecation") // ArduPilot has no later one that stops all streams

@@ -4,7 +4,7 @@ package org.sami.mavlink.vehicle;
  * Detects two vehicles with one id: the time since the autopilot's start, or the position, jumps to and fro as it cannot for a single vehicle. Used by one
  * thread.
  */
-final class TwinWatch {
+final class DuplicateIdDetector {
     private static final long WITHIN_MS = 10_000;
     private static final long REORDERED_MS =
             5_000; // a message of so long ago was not late: the autopilot counts from 0
@@ -19,7 +19,7 @@ final class TwinWatch {
     private long lastMs = Long.MIN_VALUE / 2;
     private long lastButOneMs = Long.MIN_VALUE / 2;
 
-    /** Takes the time since its start; whether it has started again, or another vehicle spoke. */
+    /** Receives the time since the autopilot's start, in ms. True where it went back: the vehicle has started again, or another vehicle has the id. */
     boolean restarted(long bootMs, long nowMs) {
         boolean back = bootMs + REORDERED_MS < sinceBootMs;
         sinceBootMs = back ? bootMs : Math.max(sinceBootMs, bootMs);
@@ -29,7 +29,7 @@ final class TwinWatch {
         return back;
     }
 
-    /** Takes a position. */
+    /** Receives a position, in degrees. */
     void at(double lat, double lon, long nowMs) {
         double north = (lat - latDeg) * M_PER_DEG;
         double east = (lon - lonDeg) * M_PER_DEG * Math.cos(Math.toRadians(lat));

@@ -5,10 +5,10 @@ import org.sami.mavlink.vehicle.VehiclePosition;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
- * Notices a vehicle that stays where its part of a list ended ({@link MissionWindow}) although the next part is there: autopilots go on by themselves where they
- * see that the item under way is another. One that moves is left alone, as it may be past that item before an order reaches it. For the gateway's thread.
+ * Detects a vehicle that stays where its part of a list ended ({@link MissionWindow}) although it has the next part: most autopilots go on by themselves once the
+ * item under way has been replaced. A vehicle that moves is not reported, as it may pass that item before an order reaches it. For the gateway's thread.
  */
-final class GateWatch {
+final class StalledListDetector {
     private static final long PATIENCE_MS = 3_000;
     private static final double STILL_MPS = 0.15;
 
@@ -21,7 +21,7 @@ final class GateWatch {
         sinceMs = Long.MAX_VALUE;
     }
 
-    /** The number of the item to go on at, of a vehicle that is seen to stay there; once. To be called often. */
+    /** The number of the item at which a stalled vehicle is to go on, once; empty where it is not stalled. To be called at each tick. */
     Optional<Integer> stays(VehicleSnapshot vehicle, long atMs) {
         if (gate.isEmpty()) {
             return Optional.empty();

@@ -11,10 +11,10 @@ import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehiclePosition;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
-class GateWatchTest {
+class StalledListDetectorTest {
     private static final int GATE = 400;
 
-    private final GateWatch watch = new GateWatch();
+    private final StalledListDetector watch = new StalledListDetector();
 
     private static VehicleSnapshot vehicle(int item, double speedMps) {
         return new VehicleSnapshot(

@@ -5,29 +5,29 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Collects the defaults of one subject. */
-final class Subject {
+final class SubjectDefaults {
     private final String name;
     private final List<DefaultValue> values = new ArrayList<>();
 
-    Subject(String name) {
+    SubjectDefaults(String name) {
         this.name = name;
     }
 
     /** A number that no option, file or plan sets. */
-    Subject number(String what, double number, String unit, String meaning) {
+    SubjectDefaults number(String what, double number, String unit, String meaning) {
         return number(what, number, unit, meaning, DefaultValue.NOWHERE);
     }
 
-    Subject number(String what, double number, String unit, String meaning, String setBy) {
+    SubjectDefaults number(String what, double number, String unit, String meaning, String setBy) {
         return text(what, BigDecimal.valueOf(number).stripTrailingZeros().toPlainString(), unit, meaning, setBy);
     }
 
     /** Milliseconds, which are shown as seconds. */
-    Subject millis(String what, long millis, String meaning) {
+    SubjectDefaults millis(String what, long millis, String meaning) {
         return number(what, millis / 1000.0, "s", meaning);
     }
 
-    Subject text(String what, String value, String unit, String meaning, String setBy) {
+    SubjectDefaults text(String what, String value, String unit, String meaning, String setBy) {
         values.add(new DefaultValue(name, what, value, unit, meaning, setBy));
         return this;
     }

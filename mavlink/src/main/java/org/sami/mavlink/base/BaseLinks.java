@@ -1,0 +1,102 @@
+package org.sami.mavlink.base;
+
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import io.dronefleet.mavlink.minimal.MavAutopilot;
+import io.dronefleet.mavlink.minimal.MavState;
+import io.dronefleet.mavlink.minimal.MavType;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.Semaphore;
+import java.util.function.BiConsumer;
+import java.util.stream.IntStream;
+import org.sami.mavlink.address.MavlinkAddress;
+import org.sami.mavlink.link.LinkEnd;
+import org.sami.mavlink.link.LinkSigning;
+import org.sami.mavlink.link.MavlinkLink;
+import org.sami.mavlink.link.MavlinkLinkReport;
+import org.sami.mavlink.link.ReceivedMessage;
+
+/** The links of a base: receives on all of them, sends on one. Safe for use by several threads. */
+final class BaseLinks implements AutoCloseable {
+    private static final int UNHANDLED = 2_000; // messages that may wait; a link that brings more waits itself
+
+    private final Executor owner;
+    private final BiConsumer<MavlinkAddress, ReceivedMessage> handle;
+    private final Semaphore room = new Semaphore(UNHANDLED);
+    private final List<MavlinkLink> links;
+
+    /**
+     * Links that are not open yet.
+     *
+     * @param addresses of which each gets one link
+     * @param owner runs work on the base's thread
+     * @param handle receives each message on that thread
+     */
+    BaseLinks(
+            List<MavlinkAddress> addresses,
+            Optional<LinkSigning> signing,
+            Executor owner,
+            BiConsumer<MavlinkAddress, ReceivedMessage> handle) {
+        this.owner = owner;
+        this.handle = handle;
+        List<MavlinkAddress> each = addresses.stream().distinct().toList();
+        links = IntStream.range(0, each.size())
+                .mapToObj(i -> new MavlinkLink(
+                        each.get(i), this::received, LinkEnd.ground(i, signing), ReadMessages.KINDS::contains))
+                .toList();
+    }
+
+    /** Begins to open them; returns at once. */
+    void start() {
+        links.forEach(MavlinkLink::start);
+    }
+
+    /** What is known of each, in the order of the addresses. */
+    List<MavlinkLinkReport> reports() {
+        return links.stream().map(MavlinkLink::report).toList();
+    }
+
+    /** Their addresses, each once. */
+    List<MavlinkAddress> addresses() {
+        return links.stream().map(MavlinkLink::address).toList();
+    }
+
+    /** On a link's thread: waits where too much is not handled yet, so that the sender is slowed and memory is not filled. */
+    private void received(MavlinkAddress from, List<ReceivedMessage> messages) {
+        room.acquireUninterruptibly(messages.size());
+        try {
+            owner.execute(() -> {
+                room.release(messages.size());
+                messages.forEach(message -> BaseThread.run(() -> handle.accept(from, message)));
+            });
+        } catch (RejectedExecutionException closed) {
+            room.release(messages.size());
+        }
+    }
+
+    /** Sends on the link of an address; does nothing where there is none. */
+    void send(MavlinkAddress address, Object message) {
+        links.stream()
+                .filter(link -> link.address().equals(address))
+                .findFirst()
+                .ifPresent(link -> link.send(message));
+    }
+
+    /** Sends on each link that this ground station is there. */
+    void sendHeartbeat() {
+        Heartbeat heartbeat = Heartbeat.builder()
+                .type(MavType.MAV_TYPE_GCS)
+                .autopilot(MavAutopilot.MAV_AUTOPILOT_INVALID)
+                .systemStatus(MavState.MAV_STATE_ACTIVE)
+                .mavlinkVersion(3)
+                .build();
+        links.forEach(link -> link.send(heartbeat));
+    }
+
+    @Override
+    public void close() {
+        links.forEach(MavlinkLink::close);
+    }
+}

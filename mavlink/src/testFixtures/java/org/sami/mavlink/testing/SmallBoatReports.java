@@ -1,0 +1,166 @@
+package org.sami.mavlink.testing;
+
+import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
+import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
+import io.dronefleet.mavlink.common.FenceStatus;
+import io.dronefleet.mavlink.common.GlobalPositionInt;
+import io.dronefleet.mavlink.common.MissionCurrent;
+import io.dronefleet.mavlink.common.SysStatus;
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import io.dronefleet.mavlink.minimal.MavAutopilot;
+import io.dronefleet.mavlink.minimal.MavModeFlag;
+import io.dronefleet.mavlink.minimal.MavState;
+import io.dronefleet.mavlink.minimal.MavType;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.math.BigInteger;
+import java.util.function.Consumer;
+
+/** What a {@link SmallBoat} reports of itself and how often, and what a test makes it report. Safe for use by several threads. */
+public final class SmallBoatReports {
+    private static final int ALL_EVERY = 4; // steps
+    private static final int POSITION_EVERY = 5; // steps, where it reports as seldom as a base asks for
+    private static final int ALL_SELDOM_EVERY = 20;
+    private static final int LOCATED = 16;
+
+    private final Consumer<Object> send;
+    private boolean silent;
+    private boolean beating = true;
+    private boolean placed = true;
+    private boolean seldom;
+    private int filter = LOCATED;
+    private double claimedMps; // reported in place of its speed
+    private int charge = 87;
+    private long steps;
+
+    SmallBoatReports(Consumer<Object> send) {
+        this.send = send;
+    }
+
+    /**
+     * What the boat is at a moment.
+     *
+     * @param mode its number
+     * @param bootMs the time since the autopilot started, in ms
+     */
+    record State(
+            boolean armed,
+            int mode,
+            boolean failsafe,
+            boolean outsideFence,
+            long bootMs,
+            SmallBoatMotion motion,
+            SmallBoatMission mission) {}
+
+    /** It sends nothing at all from now on, no answers either; or sends again. */
+    public synchronized void silent(boolean now) {
+        silent = now;
+    }
+
+    synchronized boolean isSilent() {
+        return silent;
+    }
+
+    /** It reports no more often than a base asks for, from now on: its position four times a second, all else once. */
+    public synchronized void seldom() {
+        seldom = true;
+    }
+
+    /** It sends no heartbeats from now on, or again. */
+    public synchronized void beating(boolean now) {
+        beating = now;
+    }
+
+    /** It does not report its position from now on, before it is asked to. */
+    public synchronized void forgetPosition() {
+        placed = false;
+    }
+
+    /** A base has asked for its position. */
+    synchronized void askedForPosition() {
+        placed = true;
+    }
+
+    /** Whether it reports its position. */
+    public synchronized boolean hasPosition() {
+        return placed;
+    }
+
+    /** Its filter has no position from now on. */
+    public synchronized void loseEstimate() {
+        filter = 0;
+    }
+
+    /** It reports this speed north, in m/s, from now on. */
+    public synchronized void claimSpeed(double mps) {
+        claimedMps = mps;
+    }
+
+    /** It reports this charge, in percent, from now on. */
+    public synchronized void charge(int percent) {
+        charge = percent;
+    }
+
+    /** One step of the simulation: sends what is due. */
+    synchronized void step(State now) {
+        long step = steps++;
+        if (seldom && step % ALL_SELDOM_EVERY != 0) {
+            if (placed && step % POSITION_EVERY == 0) {
+                sendPosition(now);
+            }
+        } else if (step % (seldom ? ALL_SELDOM_EVERY : ALL_EVERY) == 0) {
+            sendAll(now);
+        }
+    }
+
+    private void sendAll(State now) {
+        if (beating) {
+            sendHeartbeat(now);
+        }
+        if (placed) {
+            sendPosition(now);
+        }
+        send.accept(SysStatus.builder()
+                .voltageBattery(12_600)
+                .batteryRemaining(charge)
+                .build());
+        send.accept(EkfStatusReport.builder().flags(EnumValue.create(filter)).build());
+        send.accept(
+                FenceStatus.builder().breachStatus(now.outsideFence() ? 1 : 0).build());
+        send.accept(MissionCurrent.builder()
+                .seq(now.mission().current())
+                .total(now.mission().total())
+                .build());
+    }
+
+    /** Reports that the camera has taken a picture, the so many-th, here. */
+    synchronized void sendPicture(int number, SmallBoatMotion at) {
+        send.accept(CameraFeedback.builder()
+                .timeUsec(BigInteger.ZERO)
+                .imgIdx(number)
+                .lat(at.lat())
+                .lng(at.lon())
+                .build());
+    }
+
+    private void sendHeartbeat(State now) {
+        send.accept(Heartbeat.builder()
+                .type(MavType.MAV_TYPE_SURFACE_BOAT)
+                .autopilot(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA)
+                .baseMode(now.armed() ? EnumValue.of(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED) : EnumValue.create(0))
+                .customMode(now.mode())
+                .systemStatus(now.failsafe() ? MavState.MAV_STATE_CRITICAL : MavState.MAV_STATE_ACTIVE)
+                .mavlinkVersion(3)
+                .build());
+    }
+
+    private void sendPosition(State now) {
+        double mps = claimedMps > 0 ? claimedMps : now.armed() ? now.motion().speed() : 0;
+        send.accept(GlobalPositionInt.builder()
+                .timeBootMs(now.bootMs())
+                .lat(now.motion().lat())
+                .lon(now.motion().lon())
+                .vx((int) (mps * 100))
+                .hdg(9_000)
+                .build());
+    }
+}
