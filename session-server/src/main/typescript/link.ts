@@ -4,6 +4,7 @@ import type {Command, Hello, Reply, Right, Row, Rows, ServerMessage, Tables, Wel
 
 const SILENT_MS = 30000;
 const SILENT_BASE_MS = 5000; // of a base that sends something twice a second
+const SILENT_ONLY_BASE_MS = 8000; // of such a base that is the only one: a new connection gets through lost packets sooner
 const QUIET_MS = 1500;
 const SCOUT_MS = 3000;
 
@@ -81,6 +82,13 @@ export class Link {
     };
   }
 
+  longestSilence(): number {
+    if (!this.beats) {
+      return SILENT_MS;
+    }
+    return this.bases.areSeveral() ? SILENT_BASE_MS : SILENT_ONLY_BASE_MS;
+  }
+
   lost(isSilent = false) {
     const stood = this.isOpen;
     this.socket = undefined;
@@ -95,7 +103,7 @@ export class Link {
 
   look() {
     const now = Date.now();
-    const isSilent = this.isOpen && now - this.heardAt > (this.beats && this.bases.areSeveral() ? SILENT_BASE_MS : SILENT_MS);
+    const isSilent = this.isOpen && now - this.heardAt > this.longestSilence();
     const answersNot = !this.isOpen && this.socket && this.bases.areSeveral() && now - this.triedAt > SILENT_BASE_MS;
     if (isSilent || answersNot) {
       this.turnAway(true);

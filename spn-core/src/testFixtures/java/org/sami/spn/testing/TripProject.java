@@ -28,8 +28,8 @@ public final class TripProject {
         files.put(
                 "events.json",
                 "{\"events\": [{\"name\": \"Go\", \"direction\": \"output\", \"label\": \"Go\", \"help\": \"Goes.\","
-                    + " \"answers\": [\"Went\"]}, {\"name\": \"Went\", \"direction\": \"input\", \"label\": \"Went\","
-                    + " \"help\": \"Went.\"}]}");
+                        + " \"answers\": [\"Went\"]}, {\"name\": \"Went\", \"direction\": \"input\", \"label\": \"Went\","
+                        + " \"help\": \"Went.\"}]}");
         return files;
     }
 
