@@ -4,10 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.sql.Connection;
+import java.sql.PreparedStatement;
+import java.sql.ResultSet;
 import java.sql.SQLException;
+import java.sql.Statement;
 import java.time.Duration;
+import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalLong;
+import java.util.Set;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
@@ -15,6 +20,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.postgresql.PGConnection;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.JournalException;
 import org.sami.spn.journal.Checksum;
@@ -27,6 +33,7 @@ import org.sami.spn.journal.StoredJournal;
 @Timeout(900)
 class LeaseTest {
     private static final int TAKE_OVERS = 10_000;
+    private static final int RENEWALS = 4;
 
     private final String address = TestServer.address();
 
@@ -138,6 +145,35 @@ class LeaseTest {
 
             assertThatThrownBy(() -> journal.append(Journals.entries(0, 1), Durability.PROCESS))
                     .hasMessageContaining("its lease is gone from the database");
+        }
+    }
+
+    /** Something holds the row, as a renewal does that waits for a standby which is gone. */
+    @Test
+    void renewalsThatNobodyWaitsForAnyMoreDoNotPileUpInTheDatabase() throws Exception {
+        PostgresStore often = Journals.base("laptop-1", Duration.ofMillis(100), System::nanoTime);
+        Set<Long> seen = new HashSet<>();
+        try (Connection holding = TestServer.connect(address)) {
+            try (StoredJournal journal = often.create(address, Journals.HEADER, JournalOptions.DEFAULT);
+                    Statement hold = holding.createStatement();
+                    Connection looking = TestServer.connect(address);
+                    PreparedStatement waiting = looking.prepareStatement(
+                            "SELECT DISTINCT pid FROM pg_locks WHERE relation = 'lease'::regclass AND pid <> ?")) {
+                holding.setAutoCommit(false);
+                hold.execute("UPDATE lease SET ends = ends");
+                waiting.setInt(1, ((PGConnection) holding).getBackendPID());
+                while (seen.size() < RENEWALS) {
+                    Set<Long> now = new HashSet<>();
+                    try (ResultSet rows = waiting.executeQuery()) {
+                        while (rows.next()) {
+                            now.add(rows.getLong(1));
+                        }
+                    }
+                    seen.addAll(now);
+                    assertThat(now).as("at the same time, of %s", seen).hasSizeLessThan(RENEWALS - 1);
+                }
+                holding.rollback();
+            }
         }
     }
 
