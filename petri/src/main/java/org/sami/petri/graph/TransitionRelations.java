@@ -85,7 +85,8 @@ final class TransitionRelations {
                 }
             }
             for (int place : places(net.resets(), transition)) {
-                List.of(consumers, producers, resetters).forEach(arcs -> addAll(arcs, place, set));
+                addAll(consumers, place, set);
+                addAll(producers, place, set); // who only resets it too leaves it empty in any order
             }
             set.clear(transition);
             known = set.stream().toArray();

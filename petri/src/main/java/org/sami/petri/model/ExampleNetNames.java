@@ -18,7 +18,8 @@ public final class ExampleNetNames {
             new Family("token-ring", 2, 1000, ExampleNets::tokenRing),
             new Family("agents", 1, 1000, ExampleNets::agents),
             new Family("shared-memory", 1, 100, ExampleNets::sharedMemory),
-            new Family("producer-consumer", 0, 1000, ExampleNets::producerConsumer));
+            new Family("producer-consumer", 0, 1000, ExampleNets::producerConsumer),
+            new Family("erk", 1, 1000, ExampleNets::erk));
 
     private record Family(String name, int least, int most, IntFunction<PetriNet> net) {
         String words() {

@@ -160,4 +160,27 @@ public final class ExampleNets {
         }
         return net.build();
     }
+
+    /**
+     * The pathway in which the protein RKIP keeps Raf-1 from passing on a signal by ERK, with so many molecules of each of the five kinds that are there at first.
+     * Source: Heiner, Gilbert and Donaldson, "Petri nets for systems and synthetic biology", SFM 2008, LNCS 5016; 13 states with one molecule, 47,047 with ten.
+     */
+    public static PetriNet erk(int molecules) {
+        PetriNetBuilder net = new PetriNetBuilder("erk-" + molecules);
+        List.of("Raf", "RKIP", "ERK", "MEKPP", "RP").forEach(kind -> net.place(kind, molecules));
+        List.of("RKIPP", "ERKPP", "Raf_RKIP", "Raf_RKIP_ERKPP", "MEKPP_ERK", "RKIPP_RP")
+                .forEach(kind -> net.place(kind, 0));
+        net.move("k1", List.of("Raf", "RKIP"), List.of("Raf_RKIP"));
+        net.move("k2", List.of("Raf_RKIP"), List.of("Raf", "RKIP"));
+        net.move("k3", List.of("Raf_RKIP", "ERKPP"), List.of("Raf_RKIP_ERKPP"));
+        net.move("k4", List.of("Raf_RKIP_ERKPP"), List.of("Raf_RKIP", "ERKPP"));
+        net.move("k5", List.of("Raf_RKIP_ERKPP"), List.of("Raf", "ERK", "RKIPP"));
+        net.move("k6", List.of("ERK", "MEKPP"), List.of("MEKPP_ERK"));
+        net.move("k7", List.of("MEKPP_ERK"), List.of("ERK", "MEKPP"));
+        net.move("k8", List.of("MEKPP_ERK"), List.of("MEKPP", "ERKPP"));
+        net.move("k9", List.of("RKIPP", "RP"), List.of("RKIPP_RP"));
+        net.move("k10", List.of("RKIPP_RP"), List.of("RKIPP", "RP"));
+        net.move("k11", List.of("RKIPP_RP"), List.of("RKIP", "RP"));
+        return net.build();
+    }
 }

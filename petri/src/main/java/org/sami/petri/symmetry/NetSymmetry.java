@@ -208,16 +208,15 @@ public final class NetSymmetry implements MarkingSymmetry {
         boolean isChanged = false;
         for (int place : generator.moved()) {
             int image = generator.place(place);
-            int most = Math.max(mostTokens[place], mostTokens[image]);
-            isChanged |= mostTokens[place] != mostTokens[image];
-            mostTokens[place] = most;
-            mostTokens[image] = most;
+            if (mostTokens[place] < mostTokens[image]) {
+                mostTokens[place] = mostTokens[image];
+                isChanged = true;
+            }
         }
         for (int t = 0; t < transitions; t++) {
             int image = generator.transition(t);
-            if (fired.get(t) != fired.get(image)) {
+            if (fired.get(image) && !fired.get(t)) {
                 fired.set(t);
-                fired.set(image);
                 isChanged = true;
             }
         }

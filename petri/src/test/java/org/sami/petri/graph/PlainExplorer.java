@@ -5,19 +5,28 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
 import org.sami.petri.net.ArcTable;
 import org.sami.petri.net.PetriNet;
 
 /** A small explorer that is obviously right and shares no code with the real one: markings as lists in a hash map, the firing rule written out once more. */
-final class PlainExplorer {
-    final Map<List<Integer>, Integer> distances = new HashMap<>();
-    final Map<List<Integer>, List<List<Integer>>> successors = new HashMap<>();
-    final int[] most;
-    final boolean[] fired;
+public final class PlainExplorer {
+    /** How many firings lead to each marking at least. */
+    public final Map<List<Integer>, Integer> distances = new HashMap<>();
+    /** The markings after each firing; of those markings that were followed. */
+    public final Map<List<Integer>, List<List<Integer>>> successors = new HashMap<>();
+    /** The most tokens of each place. */
+    public final int[] most;
 
-    PlainExplorer(PetriNet net, int mostStates) {
+    /** Which transitions fired. */
+    public final boolean[] fired;
+
+    /** Explores until there are more markings than that. */
+    public PlainExplorer(PetriNet net, int mostStates) {
         most = new int[net.placeCount()];
         fired = new boolean[net.transitionCount()];
         Deque<List<Integer>> open = new ArrayDeque<>();
@@ -45,7 +54,8 @@ final class PlainExplorer {
         }
     }
 
-    boolean isComplete() {
+    /** Whether all markings were followed. */
+    public boolean isComplete() {
         return successors.size() == distances.size();
     }
 
@@ -57,7 +67,25 @@ final class PlainExplorer {
         return successors.values().stream().filter(List::isEmpty).count();
     }
 
-    static List<Integer> list(int[] marking) {
+    /** The markings from which one with a property can be reached: looked for again and again until there are no more. */
+    public Set<List<Integer>> reaching(Predicate<List<Integer>> property) {
+        Set<List<Integer>> found = new HashSet<>();
+        distances.keySet().stream().filter(property).forEach(found::add);
+        boolean isMore = true;
+        while (isMore) {
+            isMore = false;
+            for (Map.Entry<List<Integer>, List<List<Integer>>> marking : successors.entrySet()) {
+                if (!found.contains(marking.getKey())
+                        && marking.getValue().stream().anyMatch(found::contains)) {
+                    isMore = found.add(marking.getKey());
+                }
+            }
+        }
+        return found;
+    }
+
+    /** A marking as a list. */
+    public static List<Integer> list(int[] marking) {
         return Arrays.stream(marking).boxed().toList();
     }
 

@@ -58,4 +58,33 @@ final class RandomNets {
         }
         return net.build();
     }
+
+    /** Nets of many places, some with very many tokens, so that a marking takes several words: a few tokens move, and change the many as they go. */
+    static PetriNet wide(long seed) {
+        Random random = new Random(seed);
+        PetriNetBuilder net = new PetriNetBuilder("wide-" + seed);
+        int small = 4 + random.nextInt(3);
+        int large = 3 + random.nextInt(8);
+        for (int p = 0; p < small; p++) {
+            net.place("small" + p, random.nextInt(2));
+        }
+        for (int p = 0; p < large; p++) {
+            net.place("large" + p, random.nextInt(1 << random.nextInt(30)));
+        }
+        for (int t = 3 + random.nextInt(4); t > 0; t--) {
+            int transition = net.transition("t" + t);
+            net.consume(transition, random.nextInt(small), 1);
+            net.produce(transition, random.nextInt(small), 1);
+            for (int i = random.nextInt(3); i > 0; i--) {
+                net.consume(transition, small + random.nextInt(large), 1 + random.nextInt(1 << random.nextInt(29)));
+            }
+            if (random.nextInt(3) == 0) {
+                net.reset(transition, small + random.nextInt(large));
+            }
+            if (random.nextInt(3) == 0) {
+                net.produce(transition, small + random.nextInt(large), 1 + random.nextInt(1 << random.nextInt(20)));
+            }
+        }
+        return net.build();
+    }
 }

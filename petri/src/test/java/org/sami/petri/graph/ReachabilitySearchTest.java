@@ -111,7 +111,9 @@ class ReachabilitySearchTest {
         "philosophers-10, 59049, 0",
         "token-ring-8, 3072, 0",
         "shared-memory-5, 1863, 0",
-        "producer-consumer-3, 16, 0"
+        "producer-consumer-3, 16, 0",
+        "erk-1, 13, 0",
+        "erk-10, 47047, 0"
     })
     void numbersOfStatesAreThePublishedOnes(String name, int states, long edges) {
         ReachabilityGraph graph =

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.HashSet;
 import java.util.List;
-import java.util.Random;
 import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -149,46 +148,11 @@ class NetSymmetryTest {
         assertThat(NetSymmetry.of(net.build()).isEmpty()).isTrue();
     }
 
-    /** Three copies of a small random component around random shared places. */
-    private static PetriNet copies(long seed) {
-        Random random = new Random(seed);
-        PetriNetBuilder net = new PetriNetBuilder("copies-" + seed);
-        int shared = 1 + random.nextInt(2);
-        int own = 2 + random.nextInt(2);
-        int transitions = 2 + random.nextInt(3);
-        for (int p = 0; p < shared; p++) {
-            net.place("shared" + p, random.nextInt(3));
-        }
-        int[] initial = random.ints(own, 0, 2).toArray();
-        long parts = random.nextLong();
-        for (int copy = 0; copy < 3; copy++) {
-            Random same = new Random(parts);
-            int[] places = new int[shared + own];
-            for (int p = 0; p < places.length; p++) {
-                places[p] = p < shared ? p : net.place("own" + copy + "." + p, initial[p - shared]);
-            }
-            for (int t = 0; t < transitions; t++) {
-                int transition = net.transition("t" + copy + "." + t);
-                net.consume(transition, places[same.nextInt(places.length)], 1);
-                if (same.nextInt(3) > 0) {
-                    net.produce(transition, places[same.nextInt(places.length)], 1);
-                }
-                if (same.nextInt(4) == 0) {
-                    net.inhibit(transition, places[same.nextInt(places.length)], 1 + same.nextInt(2));
-                }
-                if (same.nextInt(6) == 0) {
-                    net.reset(transition, places[same.nextInt(places.length)]);
-                }
-            }
-        }
-        return net.build();
-    }
-
     @Test
     void quotientsOfRandomNetsSayWhatTheWholeGraphsSay() {
         int smaller = 0;
         for (long seed = 0; seed < 1000; seed++) {
-            PetriNet net = copies(seed);
+            PetriNet net = CopiedNets.net(seed);
             NetSymmetry symmetry = NetSymmetry.of(net);
             ReachabilityGraph whole = ReachabilitySearch.explore(net, WHOLE);
             ReachabilityGraph quotient = ReachabilitySearch.explore(net, WHOLE.withSymmetry(symmetry));

@@ -19,6 +19,8 @@ class SpoiltCountingTest {
     /** What is spoilt, the class, and the line. */
     static Stream<Arguments> lines() {
         return Stream.of(
+                option("who goes nowhere stands nowhere", ".filter(to -> !to.isEmpty())", ""),
+                option("who only leaves stays", "left.isEmpty() && edges.isEmpty()", "edges.isEmpty()"),
                 counted("robots at a place are one", "1, Integer::sum", "1, Integer::max"),
                 counted("others may be there as well", "if (!isOneAnywhere) {", "if (false) {"),
                 counted("nobody else may be there", "if (!isOneAnywhere) {", "if (true) {"),

@@ -48,6 +48,7 @@ class SpoiltPresenceTest {
                         "only the first robot moves",
                         "after.addAll(robots.get(i).after(standings.get(i)))",
                         "after.addAll(i == 0 ? robots.get(i).after(standings.get(i)) : standings.get(i))"),
+                cases("who may be anywhere is nowhere", "option -> option.isAnywhere", "option -> false"),
                 plan(
                         "each robot counts at the start",
                         "PlanNetWork",

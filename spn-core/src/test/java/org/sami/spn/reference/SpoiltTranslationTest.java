@@ -120,6 +120,20 @@ class SpoiltTranslationTest {
                         "PossibleTokens",
                         "isCopied(token) && !single.containsKey(token)",
                         "false"),
+                single(
+                        "who is taken with all of them does not enter",
+                        "s.level() == 0 ? present :",
+                        "s.level() == 0 ? 0 :"),
+                single(
+                        "who is named is never relevant",
+                        "isNamed || !s.isOf(TokenKind.RELEVANT)",
+                        "!s.isOf(TokenKind.RELEVANT)"),
+                plan(
+                        "what comes directly needs a marked place",
+                        "WakenedCases",
+                        "ins.isEmpty() || comesDirectly()",
+                        "ins.isEmpty()"),
+                plan("an answer ends no visit by nobody", "WakenedCases", "if (asks) {", "if (false) {"),
                 search(
                         "an inhibitor arc lets one more stay",
                         "EnabledTransitions",

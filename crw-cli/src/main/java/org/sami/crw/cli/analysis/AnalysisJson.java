@@ -41,7 +41,7 @@ final class AnalysisJson {
         analysis.witness().ifPresent(run -> {
             ArrayNode witness = object.putArray("witness");
             run.ids(net).forEach(witness::add);
-            putMarking(object.putObject("marking"), net, run.replay(net));
+            putMarking(object, net, run.replay(net));
         });
     }
 
@@ -76,11 +76,15 @@ final class AnalysisJson {
         }
     }
 
+    /** The first places that have tokens, and how many have. */
     private static void putMarking(ObjectNode object, PetriNet net, int[] marking) {
+        ObjectNode first = object.putObject("marking");
+        int marked = 0;
         for (int place = 0; place < marking.length; place++) {
-            if (marking[place] > 0) {
-                object.put(net.placeId(place), marking[place]);
+            if (marking[place] > 0 && marked++ < AnalysisText.MOST_MARKED) {
+                first.put(net.placeId(place), marking[place]);
             }
         }
+        object.put("markedPlaces", marked);
     }
 }

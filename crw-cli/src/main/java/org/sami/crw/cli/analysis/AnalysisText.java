@@ -11,6 +11,9 @@ final class AnalysisText {
     /** So many names of a list are printed; JSON has all. */
     private static final int MOST_NAMES = 10;
 
+    /** So many places of a marking are shown, in JSON too: a net can have hundreds of thousands with tokens. */
+    static final int MOST_MARKED = 20;
+
     private final PrintWriter out;
     private final NetAnalysis analysis;
 
@@ -71,7 +74,10 @@ final class AnalysisText {
                     + (run.transitions().isEmpty()
                             ? "none, it is the initial marking"
                             : String.join(" ", run.ids(analysis.net()))));
-            out.println("marking: " + String.join(" ", analysis.marked(run.replay(analysis.net()))));
+            List<String> marked = analysis.marked(run.replay(analysis.net()));
+            int more = marked.size() - MOST_MARKED;
+            out.println("marking: " + String.join(" ", more > 0 ? marked.subList(0, MOST_MARKED) : marked)
+                    + (more > 0 ? " ... and " + more + " more" : ""));
         });
     }
 

@@ -98,6 +98,18 @@ class AnalyseCommandTest {
     }
 
     @Test
+    void ofAMarkingWithManyPlacesTheFirstAreShownAndHowManyThereAre() throws Exception {
+        CommandResult text = CommandResult.crw("analyse", "philosophers-25", "--query", "reachable m(eats0) = 1");
+        CommandResult json =
+                CommandResult.crw("analyse", "philosophers-25", "--json", "--query", "reachable m(eats0) = 1");
+
+        assertThat(text.out()).containsPattern("\nmarking: (\\S+ ){20}\\.\\.\\. and 28 more\n");
+        JsonNode query = new ObjectMapper().readTree(json.out()).get("queries").get(0);
+        assertThat(query.get("marking")).hasSize(20);
+        assertThat(query.get("markedPlaces").asInt()).isEqualTo(48);
+    }
+
+    @Test
     void searchBeyondItsBudgetSaysSoAndHasACodeOfItsOwn() throws Exception {
         CommandResult ran = CommandResult.crw("analyse", "producer-consumer-0", "--budget", "1000");
         CommandResult json = CommandResult.crw(
