@@ -447,6 +447,9 @@ public final class SmallBoat implements AutoCloseable {
 
     private boolean takePicture() {
         boolean hasCamera = parameters.get(CAMERA) > 0;
+        if (hasCamera && faults.refusesPicture()) {
+            return false;
+        }
         if (hasCamera && !faults.isCameraJammed()) {
             send(CameraFeedback.builder()
                     .timeUsec(BigInteger.ZERO)
