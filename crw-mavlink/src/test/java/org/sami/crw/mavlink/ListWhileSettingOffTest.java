@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.HoldPosition;
+import org.sami.boat.link.Progress;
 import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
@@ -109,5 +110,26 @@ class ListWhileSettingOffTest {
         assertThat(client.answerTo(second)).isInstanceOf(Ack.class);
         assertThat(client.ask(new StartWaypoints("start second", "second", 0))).isInstanceOf(Ack.class);
         assertThat(boat.orderedModes()).containsExactly(LOITER, AUTO, LOITER, LOITER, AUTO);
+    }
+
+    @Test
+    void waypointThatIsReachedBeforeAHeartbeatTellsTheModeIsReached() {
+        List<Waypoint> near = List.of(new Waypoint(45.70002, 10.72, 1), new Waypoint(45.71, 10.72, 1));
+        assertThat(client.ask(new UploadWaypoints("upload", "near", near))).isInstanceOf(Ack.class);
+        assertThat(client.ask(new HoldPosition("hold"))).isInstanceOf(Ack.class);
+        assertThat(client.ask(new ReadBack("read"))).isInstanceOf(HeldWaypoints.class);
+        keepHeartbeats();
+        StartWaypoints start = new StartWaypoints("start", "near", 0);
+        client.say(start);
+        Await.until("the first is reached", () -> boat.visited().size() == 1);
+        sendHeartbeats();
+
+        assertThat(client.answerTo(start)).isInstanceOf(Ack.class);
+        Await.until(
+                "it is reported",
+                20,
+                () -> client.last(Progress.class)
+                        .filter(progress -> progress.nextIndex() == 1)
+                        .isPresent());
     }
 }
