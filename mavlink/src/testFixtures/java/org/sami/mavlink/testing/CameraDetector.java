@@ -5,6 +5,7 @@ import io.dronefleet.mavlink.MavlinkMessage;
 import io.dronefleet.mavlink.common.CommandLong;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.minimal.Heartbeat;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;
@@ -37,16 +38,6 @@ public final class CameraDetector implements AutoCloseable {
         this.places = List.copyOf(places);
         socket = new Socket(InetAddress.getLoopbackAddress(), port);
         MavlinkConnection codec = MavlinkConnection.create(socket.getInputStream(), socket.getOutputStream());
-        codec.send2(
-                system,
-                CAMERA,
-                CommandLong.builder()
-                        .targetSystem(system)
-                        .targetComponent(AUTOPILOT)
-                        .command(MavCmd.MAV_CMD_SET_MESSAGE_INTERVAL)
-                        .param1(POSITION)
-                        .param2(EVERY_US)
-                        .build());
         Thread thread = new Thread(() -> look(codec, system), "camera of " + system);
         thread.setDaemon(true);
         thread.start();
@@ -55,7 +46,9 @@ public final class CameraDetector implements AutoCloseable {
     private void look(MavlinkConnection codec, int system) {
         try {
             for (MavlinkMessage<?> message = codec.next(); message != null; message = codec.next()) {
-                if (message.getOriginComponentId() == AUTOPILOT
+                if (message.getOriginComponentId() == AUTOPILOT && message.getPayload() instanceof Heartbeat) {
+                    codec.send2(system, CAMERA, where(system)); // again and again: while it starts it takes no orders
+                } else if (message.getOriginComponentId() == AUTOPILOT
                         && message.getPayload() instanceof GlobalPositionInt at
                         && at.relativeAlt() > LEAST_HEIGHT_M * 1_000) {
                     for (double[] place : places) {
@@ -69,6 +62,17 @@ public final class CameraDetector implements AutoCloseable {
         } catch (IOException e) {
             // it was closed
         }
+    }
+
+    /** Asks it to say where it is. */
+    private static CommandLong where(int system) {
+        return CommandLong.builder()
+                .targetSystem(system)
+                .targetComponent(AUTOPILOT)
+                .command(MavCmd.MAV_CMD_SET_MESSAGE_INTERVAL)
+                .param1(POSITION)
+                .param2(EVERY_US)
+                .build();
     }
 
     private static double metres(GlobalPositionInt from, double[] place) {

@@ -153,7 +153,7 @@ class ArduPilotTeamTest {
         open.add(ArduPilotBoats.with(SOUNDER, BOATS, EACH, SPEED, work));
         open.add(ArduPilotBoats.copters(COPTERS, EACH, SPEED, work));
         List<SimulatorTruth> boats = truths(BOATS);
-        detectors(TARGETS);
+        List<CameraDetector> detectors = detectors(TARGETS);
 
         CommandResult ran = run(
                 "team",
@@ -166,6 +166,9 @@ class ArduPilotTeamTest {
                 "--set",
                 "ask-lanes.spacing=20");
 
+        assertThat(detectors.stream().mapToInt(CameraDetector::said).sum())
+                .as("what cameras said")
+                .isPositive();
         assertThat(ran.out()).contains("tasks: 2 of 2 complete");
         assertThat(TARGETS)
                 .allSatisfy(target ->
