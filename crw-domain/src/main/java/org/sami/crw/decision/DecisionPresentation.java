@@ -20,7 +20,7 @@ import org.sami.spn.value.Value;
  * @param decision with the question as it is asked
  * @param boats the boats that it concerns: those of the activation that asks or is asked about, or the boat that the domain asks about; none
  *     where it concerns none, or that is unknown
- * @param description lines by the author, and the names of plan, vertex and event where the markup Description shows them
+ * @param description lines by the author, the place about which an event asks yes or no, and the names of plan, vertex and event where the markup Description shows them
  * @param options the options, filtered and sorted; empty for yes or no and for values
  * @param format layout of the options (markup Selection Options)
  * @param attention how the decision draws attention; empty where it does not

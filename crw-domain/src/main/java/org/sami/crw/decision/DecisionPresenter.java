@@ -2,6 +2,7 @@ package org.sami.crw.decision;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.sami.crw.decision.DecisionPresentation.LocationDefault;
 import org.sami.crw.decision.DecisionPresentation.OptionsFormat;
@@ -15,12 +16,14 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.EventType;
 
 /** Makes {@link DecisionPresentation}s: asks the engine's state for what a decision does not say itself. */
 public final class DecisionPresenter {
     private static final String DESCRIPTION = "Description";
+    private static final String AT = "at"; // the field of events that ask about a place
 
     private DecisionPresenter() {}
 
@@ -39,6 +42,7 @@ public final class DecisionPresenter {
                 decision,
                 asker(mission, asking, view),
                 markups,
+                place(decision, asking),
                 choices,
                 asking.map(Activation::proxies)
                         .orElseGet(() -> view.subject(decision.id())
@@ -63,13 +67,15 @@ public final class DecisionPresenter {
     public static DecisionPresentation plain(Decision decision) {
         MarkupReader markups = new MarkupReader(decision.markups());
         List<OfferedOption> options = OfferedOptions.of(decision, markups, List.of(), boat -> "");
-        return of(decision, Asker.UNKNOWN, markups, options, List.of(), List.of(), List.of());
+        return of(
+                decision, Asker.UNKNOWN, markups, Optional.empty(), options, List.of(), List.of(), List.of());
     }
 
     private static DecisionPresentation of(
             Decision decision,
             Asker asker,
             MarkupReader markups,
+            Optional<String> place,
             List<OfferedOption> choices,
             List<String> relevant,
             List<String> all,
@@ -81,7 +87,7 @@ public final class DecisionPresenter {
                 decision,
                 asker,
                 relevant,
-                description(markups, asker),
+                description(markups, asker, place),
                 choices,
                 markups.constant("SelectionOptions", "format", OptionsFormat.class)
                         .orElse(OptionsFormat.SEQUENTIAL),
@@ -112,9 +118,19 @@ public final class DecisionPresenter {
                         .orElse(""));
     }
 
-    private static List<String> description(MarkupReader markups, Asker asker) {
+    /** Where on the map that is about which an event asks yes or no; empty where it is about no place. */
+    private static Optional<String> place(Decision decision, Optional<Activation> asking) {
+        return asking.filter(event -> decision.question() instanceof Question.Approve)
+                .flatMap(event -> event.value(AT))
+                .filter(GeoPoint.class::isInstance)
+                .map(GeoPoint.class::cast)
+                .map(at -> String.format(Locale.ROOT, "At %.5f,%.5f", at.latDeg(), at.lonDeg()));
+    }
+
+    private static List<String> description(MarkupReader markups, Asker asker, Optional<String> place) {
         List<String> lines = new ArrayList<>();
         lines.add(markups.text(DESCRIPTION, "source"));
+        place.ifPresent(lines::add);
         if (markups.flag(DESCRIPTION, "showPlanName")) {
             lines.add("Plan: " + asker.planTitle());
         }

@@ -42,6 +42,7 @@ public final class MavlinkGateway implements BoatGateway {
     private final Optional<LinkSigning> signing;
     private final ScheduledExecutorService thread;
     private final Future<?> ticks;
+    private final SeenTargets seen = new SeenTargets(); // for the thread
     private final BaseThread bases = new BaseThread(); // of all links
     private final Map<String, VehicleLink> links = new HashMap<>(); // by address; this and the next for the thread
     private SessionFence fence = SessionFence.NONE;
@@ -98,7 +99,7 @@ public final class MavlinkGateway implements BoatGateway {
     private VehicleLink open(String host) {
         MavlinkBaseOptions options = new MavlinkBaseOptions(Optional.empty(), signing);
         MavlinkBase base = new MavlinkBase(List.of(AddressText.parse(host)), nowMs, options, bases);
-        return new VehicleLink(host, base, executor(), nowMs, files, fence);
+        return new VehicleLink(host, base, executor(), nowMs, files, seen, fence);
     }
 
     /** Its thread; what is thrown there is logged, and after the end nothing runs. */

@@ -44,6 +44,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehicleCamera camera;
     private final VehicleFiles files;
     private final VehicleSensors sensors = new VehicleSensors();
+    private final VehicleTargets targets;
     private final OtherController others = new OtherController();
     private Optional<BaseSession> session = Optional.empty();
     private VehicleSnapshot vehicle;
@@ -56,8 +57,9 @@ final class VehicleBoat implements BaseSession.Boat {
     private long batteryMs;
     private Progress keptProgress = new Progress("", 0, false);
 
-    VehicleBoat(MavlinkBase base, VehicleSnapshot first, Executor thread, VehicleFiles files) {
+    VehicleBoat(MavlinkBase base, VehicleSnapshot first, Executor thread, VehicleFiles files, SeenTargets seen) {
         name = "mav" + first.id();
+        targets = new VehicleTargets(seen);
         vehicle = first;
         flies = first.kind() == VehicleKind.COPTER;
         this.files = files;
@@ -229,6 +231,8 @@ final class VehicleBoat implements BaseSession.Boat {
         } else if (event instanceof VehicleEvent.PictureTaken picture) {
             broadcast(VehicleReports.picture(picture, Math.max(0, atMs)));
             camera.taken(picture);
+        } else if (event instanceof VehicleEvent.TargetTracked target) {
+            targets.report(vehicle, target, atMs).ifPresent(this::broadcast);
         } else {
             orders.happened(event);
         }

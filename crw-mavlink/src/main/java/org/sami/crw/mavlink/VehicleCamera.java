@@ -18,13 +18,14 @@ import org.sami.mavlink.vehicle.VehicleId;
 
 /**
  * The camera that a vehicle's autopilot triggers: whether there is one, and one picture where the vehicle is for each {@link TakePanorama}. It counts as taken once
- * the autopilot reports it: without a camera ArduPilot accepts the older order, and takes none. For the gateway's thread.
+ * the autopilot reports it: without a camera ArduPilot accepts the older order, and takes none. A camera that is at its last picture still is asked again. For the gateway's thread.
  *
  * <p>Source: ArduPilot's parameter {@code CAM1_TYPE} (0: none) and its message {@code CAMERA_FEEDBACK}, sent once the camera has been triggered.
  */
 final class VehicleCamera {
     private static final String TYPE = "CAM1_TYPE";
     private static final long REPORTED_MS = 5_000; // a camera that has not been triggered by then was not
+    private static final int TRIES = 5; // some 0.7 s apart: so long the answer to a refused one takes
 
     private final MavlinkBase base;
     private final VehicleId id;
@@ -45,6 +46,7 @@ final class VehicleCamera {
         private boolean asked; // of the vehicle
         private boolean accepted;
         private long acceptedMs;
+        private int tries;
         private Optional<VehicleEvent.PictureTaken> picture = Optional.empty();
 
         Order(TakePanorama command, Consumer<LinkMessage> answer) {
@@ -123,6 +125,7 @@ final class VehicleCamera {
 
     private void trigger(Order order, VehicleCommand by) {
         order.asked = true;
+        order.tries++;
         Results.when(base.command(id, by), thread, outcome -> triggered(order, by, outcome), why -> fail(order, why));
     }
 
@@ -137,9 +140,19 @@ final class VehicleCamera {
         } else if (outcome.verdict() == CommandVerdict.UNKNOWN_TO_IT
                 && !by.equals(VehicleCommand.triggerCamera())) { // an older firmware
             trigger(order, VehicleCommand.triggerCamera());
+        } else if (isBusy(outcome) && order.picture.isPresent()) { // taken a little later, as some cameras do
+            order.accepted = true;
+            finish(order);
+        } else if (isBusy(outcome) && order.tries < TRIES) {
+            trigger(order, by);
         } else {
             fail(order, outcome.inWords());
         }
+    }
+
+    /** Whether it may only be at its last picture still: ArduPilot says that it fails as long as the shutter of that one is held ({@code CAM1_DURATION}). */
+    private static boolean isBusy(CommandOutcome outcome) {
+        return outcome.verdict() == CommandVerdict.FAILED || outcome.verdict() == CommandVerdict.NOT_NOW;
     }
 
     /** The autopilot reports a picture, whoever has asked for it; one from before it was asked answers no order. */

@@ -27,6 +27,7 @@ final class VehicleLink {
     private final Executor thread;
     private final LongSupplier nowMs;
     private final VehicleFiles files;
+    private final SeenTargets seen;
     private final MavlinkBase base;
     private final Consumer<VehicleEvent> events = this::heard;
     private final Map<Integer, VehicleBoat> boats = new TreeMap<>(); // by system id
@@ -47,6 +48,7 @@ final class VehicleLink {
      *
      * @param address as users write it
      * @param base listens at this address alone; closed with the link
+     * @param seen numbers the targets of all vehicles of the session
      */
     VehicleLink(
             String address,
@@ -54,11 +56,13 @@ final class VehicleLink {
             Executor thread,
             LongSupplier nowMs,
             VehicleFiles files,
+            SeenTargets seen,
             SessionFence fence) {
         this.address = address;
         this.thread = thread;
         this.nowMs = nowMs;
         this.files = files;
+        this.seen = seen;
         this.fence = fence;
         this.base = base;
         base.addListener(events);
@@ -112,7 +116,7 @@ final class VehicleLink {
     }
 
     private VehicleBoat boat(VehicleSnapshot vehicle) {
-        VehicleBoat boat = new VehicleBoat(base, vehicle, thread, files);
+        VehicleBoat boat = new VehicleBoat(base, vehicle, thread, files, seen);
         boat.keepTo(fence);
         return boat;
     }

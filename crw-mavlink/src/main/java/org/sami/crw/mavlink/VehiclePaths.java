@@ -30,6 +30,7 @@ final class VehiclePaths {
     private final VehicleArrival arrival;
     private final MissionWatch watch = new MissionWatch();
     private final StalledListDetector gate = new StalledListDetector();
+    private final EarlyReports early = new EarlyReports();
     private final Consumer<LinkMessage> broadcast;
     private final Runnable changed;
     private Optional<DrivenList> list;
@@ -88,11 +89,21 @@ final class VehiclePaths {
     }
 
     void happened(VehicleEvent event) {
-        boolean driving = motion.vehicle().mode().equals(VehicleMotion.AUTO) && store.holds(list);
+        if (!store.holds(list)) {
+            return;
+        }
+        if (motion.vehicle().mode().equals(VehicleMotion.AUTO)) {
+            drives(event);
+        } else if (motion.isSettingOff()) {
+            early.keep(event);
+        }
+    }
+
+    private void drives(VehicleEvent event) {
         boolean further = false;
-        if (driving && event instanceof VehicleEvent.ItemReached reached) {
+        if (event instanceof VehicleEvent.ItemReached reached) {
             further = list.orElseThrow().reached(reached.item());
-        } else if (driving && event instanceof VehicleEvent.ItemCurrent current) {
+        } else if (event instanceof VehicleEvent.ItemCurrent current) {
             further = list.orElseThrow().current(current.item());
         }
         if (further) {
@@ -112,8 +123,13 @@ final class VehiclePaths {
         return multiplier * list.orElseThrow().waypoints().get(waypoint).speedMps();
     }
 
-    /** Looks whether the vehicle, as it has just reported itself, has come to the end of its list where an autopilot does not say so. */
+    /** Counts what the vehicle, as it has just reported itself, has reached, and looks whether it has come to the end of its list where an autopilot does not say so. */
     void seen() {
+        if (motion.vehicle().mode().equals(VehicleMotion.AUTO) && store.holds(list)) {
+            early.take().forEach(this::drives);
+        } else if (!motion.isSettingOff()) {
+            early.forget();
+        }
         boolean arrived = list.filter(along ->
                         motion.flies() ? store.holds(list) && arrival.hasLanded(along) : arrival.isThere(along))
                 .isPresent();
@@ -344,7 +360,10 @@ final class VehiclePaths {
                 along.takeOffItem(),
                 along.lands(),
                 speedOf(isPast ? along.next() : index),
-                () -> along.startAt(index),
+                () -> {
+                    along.startAt(index);
+                    early.sent();
+                },
                 () -> broadcast.accept(progress()));
     }
 

@@ -203,24 +203,6 @@ class AutopilotCommandsTest {
     }
 
     @Test
-    void listThatComesWhileItSetsOffIsSentWhileItKeepsItsPlace() {
-        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
-        assertThat(client.ask(new HoldPosition("hold"))).isInstanceOf(Ack.class);
-        keepHeartbeats();
-        client.say(new StartWaypoints("start", "first", 0));
-        Await.until("it sets off", () -> boat.mode() == AUTO);
-
-        UploadWaypoints second = upload("second");
-        client.say(second);
-        Await.until("it is ordered", () -> boat.orderedModes().size() == 3);
-        sendHeartbeats();
-
-        assertThat(client.answerTo(second)).isInstanceOf(Ack.class);
-        assertThat(client.ask(new StartWaypoints("start second", "second", 0))).isInstanceOf(Ack.class);
-        assertThat(boat.orderedModes()).containsExactly(LOITER, AUTO, LOITER, AUTO);
-    }
-
-    @Test
     void listThatComesRightAfterAStopDoesNotUndoIt() {
         drive();
         keepHeartbeats();

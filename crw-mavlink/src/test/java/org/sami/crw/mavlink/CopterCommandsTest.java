@@ -106,6 +106,18 @@ class CopterCommandsTest {
     }
 
     @Test
+    void copterOverItsLandingPlaceLandsThere() {
+        fly("path", 0, UP, NORTH);
+        completes("path");
+
+        fly("down", 0, NORTH, new Waypoint(NORTH.latDeg(), NORTH.lonDeg(), 8, 0));
+        completes("down");
+
+        assertThat(copter.isArmed()).isFalse();
+        assertThat(copter.heightM()).isZero();
+    }
+
+    @Test
     void whoStartsItsMotorsAfterALandingIsSomebodyElse() {
         fly("path", 0, UP, GROUND);
         completes("path");

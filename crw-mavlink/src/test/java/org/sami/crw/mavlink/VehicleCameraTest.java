@@ -101,6 +101,26 @@ class VehicleCameraTest {
     }
 
     @Test
+    void cameraThatIsAtItsLastPictureStillIsAskedAgain() {
+        boat.parameter(TYPE, 1);
+        try (LinkClient client = new LinkClient(folder, boat.address() + "/7")) {
+            boat.faults().cameraBusy(2);
+            assertThat(client.ask(new TakePanorama("asked", 8))).isInstanceOf(Ack.class);
+            Await.until("it is reported", () -> client.count(PanoramaReport.class) == 1);
+        }
+    }
+
+    @Test
+    void cameraThatFailsAgainAndAgainIsNotAskedForever() {
+        boat.parameter(TYPE, 1);
+        try (LinkClient client = new LinkClient(folder, boat.address() + "/7")) {
+            boat.faults().cameraBusy(1_000);
+            assertRefused(
+                    client.ask(new TakePanorama("asked", 8)), NackReason.NOT_ABLE, "vehicle 7 fails to take a picture");
+        }
+    }
+
+    @Test
     void baseKnowsWhetherThereIsOneAndHearsOfThePicture() throws Exception {
         boat.parameter(TYPE, 1);
         try (GatewayWorld world = new GatewayWorld(folder)) {

@@ -4,6 +4,7 @@ import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
 import io.dronefleet.mavlink.ardupilotmega.WaterDepth;
+import io.dronefleet.mavlink.common.CameraTrackingGeoStatus;
 import io.dronefleet.mavlink.common.CommandAck;
 import io.dronefleet.mavlink.common.DistanceSensor;
 import io.dronefleet.mavlink.common.FenceStatus;
@@ -41,6 +42,7 @@ final class ReadMessages {
             DistanceSensor.class,
             Rangefinder.class,
             CameraFeedback.class,
+            CameraTrackingGeoStatus.class,
             CommandAck.class,
             MissionCurrent.class,
             MissionItemReached.class,

@@ -35,6 +35,14 @@ public sealed interface VehicleEvent {
      */
     record PictureTaken(VehicleId vehicle, int number, double latDeg, double lonDeg) implements VehicleEvent {}
 
+    /**
+     * A camera on board follows a target on the ground or the water, by its detector or by who watches its picture; comes again as long as it does.
+     *
+     * @param latDeg where the target is, WGS 84 degrees
+     * @param lonDeg likewise
+     */
+    record TargetTracked(VehicleId vehicle, double latDeg, double lonDeg) implements VehicleEvent {}
+
     /** Its autopilot has started again: what is known of its lists and parameters may not hold any more. */
     record Restarted(VehicleId vehicle) implements VehicleEvent {}
 }

@@ -27,9 +27,10 @@ final class VehicleReadings {
         } else if (message instanceof NamedValueInt named) {
             return List.of(new VehicleReading(named.name(), named.value(), ""));
         } else if (message instanceof WaterDepth water && water.healthy() != 0) {
-            return List.of(
-                    new VehicleReading("depth", water.distance(), METRES),
-                    new VehicleReading("temperature", water.temperature(), "°C"));
+            VehicleReading depth = new VehicleReading("depth", water.distance(), METRES);
+            return water.temperature() == 0 // a sounder without a thermometer says 0, as ArduPilot sends it
+                    ? List.of(depth)
+                    : List.of(depth, new VehicleReading("temperature", water.temperature(), "°C"));
         } else if (message instanceof DistanceSensor distance) {
             return List.of(new VehicleReading("distance", distance.currentDistance() * FROM_CENTI, METRES));
         } else if (message instanceof Rangefinder range) {

@@ -1,5 +1,6 @@
 package org.sami.mavlink.vehicle;
 
+import io.dronefleet.mavlink.common.CameraTrackingGeoStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavType;
@@ -16,7 +17,8 @@ public final class VehicleTable {
     private final TreeMap<VehicleId, VehicleRecord> vehicles = new TreeMap<>();
 
     /**
-     * A message came from a component of a system; one that is no autopilot (a ground station, a gimbal, a radio) makes no vehicle.
+     * A message came from a component of a system; one that is no autopilot (a ground station, a gimbal, a radio) makes no
+     * vehicle. What the camera of a system follows is told of its vehicles.
      *
      * @return what happened to the vehicle by it
      */
@@ -31,6 +33,11 @@ public final class VehicleTable {
         }
         if (known != null) {
             events.addAll(known.heard(from, payload, nowMs));
+        }
+        if (payload instanceof CameraTrackingGeoStatus target) { // its camera is a component of its own
+            vehicles.keySet().stream()
+                    .filter(one -> one.system() == from.system())
+                    .forEach(one -> TrackedTargets.of(one, target).ifPresent(events::add));
         }
         return events;
     }

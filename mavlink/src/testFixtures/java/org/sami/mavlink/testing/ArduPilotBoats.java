@@ -87,6 +87,11 @@ public final class ArduPilotBoats implements AutoCloseable {
         return FIRST_PORT + APART * number + SECOND_LINK;
     }
 
+    /** The port of its third link. */
+    public static int thirdPort(int number) {
+        return secondPort(number) + 1;
+    }
+
     /** Ends them. */
     @Override
     public void close() throws InterruptedException {

@@ -1,6 +1,8 @@
 package org.sami.mavlink.testing;
 
 import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
+import io.dronefleet.mavlink.common.CameraTrackingGeoStatus;
+import io.dronefleet.mavlink.common.CameraTrackingStatusFlags;
 import io.dronefleet.mavlink.common.NamedValueFloat;
 
 /** Messages with values of a vehicle's sensors, for {@link SmallBoat#sends}. */
@@ -10,6 +12,15 @@ public final class SensorMessages {
     /** A value under a name of at most 10 characters. */
     public static Object named(String name, double value) {
         return NamedValueFloat.builder().name(name).value((float) value).build();
+    }
+
+    /** A camera follows a target at a place, in degrees. */
+    public static Object target(double latDeg, double lonDeg) {
+        return CameraTrackingGeoStatus.builder()
+                .trackingStatus(CameraTrackingStatusFlags.CAMERA_TRACKING_STATUS_FLAGS_ACTIVE)
+                .lat((int) Math.round(latDeg * 1e7))
+                .lon((int) Math.round(lonDeg * 1e7))
+                .build();
     }
 
     /** What a depth sounder or rangefinder measures, in metres. */

@@ -52,6 +52,8 @@ public final class SmallBoat implements AutoCloseable {
     private long bootMs = 60_000;
     private int armings;
     private int pictures;
+    private int keptCommand; // the number of those whose answers are kept
+    private final List<Object> keptAnswers = new ArrayList<>();
     private final List<Integer> orderedModes = new ArrayList<>();
     private final List<Double> courses = new ArrayList<>();
 
@@ -249,6 +251,9 @@ public final class SmallBoat implements AutoCloseable {
 
     private boolean takePicture() {
         boolean hasCamera = parameters.value(SmallVehicleParameters.CAMERA) > 0;
+        if (hasCamera && faults.refusesPicture()) {
+            return false;
+        }
         if (hasCamera && !faults.isCameraJammed()) {
             reports.sendPicture(++pictures, motion);
         }
@@ -256,10 +261,24 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private void ack(int command, boolean accepted) {
-        send(CommandAck.builder()
+        CommandAck answer = CommandAck.builder()
                 .command(EnumValue.create(MavCmd.class, command))
                 .result(accepted ? MavResult.MAV_RESULT_ACCEPTED : MavResult.MAV_RESULT_FAILED)
-                .build());
+                .build();
+        if (command == keptCommand) {
+            keptAnswers.add(answer);
+        } else {
+            send(answer);
+        }
+    }
+
+    /** Its answers to commands of a number are under way from now on, and arrive together once this ends. */
+    public synchronized void keepAnswers(boolean now, int command) {
+        keptCommand = now ? command : 0;
+        if (!now) {
+            keptAnswers.forEach(this::send);
+            keptAnswers.clear();
+        }
     }
 
     private void say(String words) {

@@ -12,6 +12,7 @@ public final class SmallBoatFaults {
     private int refusedMode = -1;
     private String whyNotArm = "";
     private boolean cameraJammed;
+    private int cameraBusy; // pictures that it refuses
 
     SmallBoatFaults() {}
 
@@ -112,6 +113,16 @@ public final class SmallBoatFaults {
     /** Its camera takes no picture from now on, though the order for one is accepted; or takes them again. */
     public synchronized void jamCamera(boolean now) {
         cameraJammed = now;
+    }
+
+    /** Its camera is at its last picture still when it is asked for the next ones, so that it refuses so many. */
+    public synchronized void cameraBusy(int times) {
+        cameraBusy = times;
+    }
+
+    /** Whether it refuses this one. */
+    synchronized boolean refusesPicture() {
+        return cameraBusy-- > 0;
     }
 
     synchronized boolean isCameraJammed() {

@@ -27,13 +27,15 @@ import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /**
- * Select Capable: answers which of the entering robots have all that the field {@code needs} names, as {@link BoatDemands#offers} says; of all of the
+ * Select Capable: answers which of the entering robots have all that the field {@code needs} names, and measure the channel of
+ * {@code measures}, as {@link BoatDemands#offers} says; of all of the
  * mission where none entered. Where none has it, the answer and a message to the operator say what each lacks.
  */
 final class SelectCapableHandler implements ActivationHandler {
     static final String TYPE = "SelectCapable";
 
     private static final String NEEDS = "needs";
+    private static final String MEASURES = "measures";
     private static final String SELECTED = "CapableSelected";
     private static final String NONE = "NoneCapable";
 
@@ -48,6 +50,12 @@ final class SelectCapableHandler implements ActivationHandler {
     @Override
     public void handle(Activation activation, HandlerContext context) {
         Set<String> needs = needs(ActivationFields.required(activation, NEEDS));
+        activation
+                .value(MEASURES)
+                .filter(TextValue.class::isInstance)
+                .map(channel -> ((TextValue) channel).value().strip())
+                .filter(channel -> !channel.isEmpty())
+                .ifPresent(needs::add);
         List<String> capable = new ArrayList<>();
         List<String> reasons = new ArrayList<>();
         for (String robot : asked(activation, context)) {

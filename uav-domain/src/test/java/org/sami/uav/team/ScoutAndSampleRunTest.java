@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.boat.link.MotionDefaults;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.decision.AnswersFileReader;
+import org.sami.crw.decision.DecisionPresenter;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.report.FiringResult;
@@ -45,6 +46,7 @@ class ScoutAndSampleRunTest {
 
     private final Map<String, Set<String>> moved = new LinkedHashMap<>(); // robots by event
     private final List<GeoPoint> measuredAt = new ArrayList<>();
+    private final List<List<String>> asked = new ArrayList<>(); // what stands below each question about a target
 
     private RunReport run(int boats, int copters, String charges, String rules) {
         String text = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + rules + "]}";
@@ -64,6 +66,12 @@ class ScoutAndSampleRunTest {
                     && received.occurrence().type().equals("MeasurementTaken")) {
                 measuredAt.add((GeoPoint) received.occurrence().values().get("location"));
             }
+            effects.stream()
+                    .filter(effect -> effect instanceof Effect.DecisionOpened opened
+                            && opened.decision().type().equals("ConfirmSighting"))
+                    .map(effect -> ((Effect.DecisionOpened) effect).decision())
+                    .forEach(decision ->
+                            asked.add(DecisionPresenter.of(decision, view).description()));
             effects.stream()
                     .filter(Effect.Activated.class::isInstance)
                     .map(effect -> ((Effect.Activated) effect).activation())
@@ -96,6 +104,10 @@ class ScoutAndSampleRunTest {
         assertThat(report.boats()).extracting("id").containsExactly("boat1", "boat2", "boat3", "copter1", "copter2");
         long confirmed = fired(report).stream().filter("Sample it"::equals).count();
         assertThat(fired(report)).contains("Leave it");
+        assertThat(asked)
+                .hasSize((int) confirmed + 1)
+                .allSatisfy(lines ->
+                        assertThat(lines).singleElement().asString().matches("At -?\\d+\\.\\d{5},-?\\d+\\.\\d{5}"));
         assertThat(confirmed).isGreaterThanOrEqualTo(2);
         assertThat(report.tasks())
                 .hasSize((int) confirmed)

@@ -19,9 +19,10 @@ public final class ConditionsOptions {
             names = "--conditions",
             paramLabel = "NAME",
             converter = ConditionsConverter.class,
-            description = "Water and instruments: calm, field (a lake on an ordinary day, noise as "
-                    + "measured), rough, logged (field, with positions as rare as in the boats' logs); the options below change single values (default: calm). With connected "
-                    + "boats: the errors assumed for those that do not report theirs (default: field).")
+            description = "Water and instruments: calm, field (a lake on an ordinary day, noise as measured), rough,"
+                    + " logged (field, with positions as rare as in the boats' logs); the options below change single"
+                    + " values (default: calm). With connected boats: the errors assumed for those that do not report"
+                    + " theirs (default: field).")
     private @Nullable NamedConditions named;
 
     @Option(
@@ -82,7 +83,20 @@ public final class ConditionsOptions {
      * @throws IllegalArgumentException if it makes no sense
      */
     public Conditions conditions() {
-        Conditions all = (named == null ? NamedConditions.CALM : named).conditions();
+        return conditions(NamedConditions.CALM);
+    }
+
+    /**
+     * What they say of simulated boats beside boats that have their own water; the latter are planned with likewise where they do not say how they fare.
+     *
+     * @throws IllegalArgumentException if it makes no sense
+     */
+    Conditions ofSimulatedBesides() {
+        return conditions(NamedConditions.FIELD);
+    }
+
+    private Conditions conditions(NamedConditions usual) {
+        Conditions all = (named == null ? usual : named).conditions();
         return new Conditions(
                 gpsNoiseM == null ? all.gpsNoiseM() : gpsNoiseM,
                 gpsJumpM == null ? all.gpsJumpM() : gpsJumpM,
@@ -104,7 +118,8 @@ public final class ConditionsOptions {
         Conditions alone = (named == null ? NamedConditions.CALM : named).conditions();
         if (!conditions().equals(alone)) {
             throw new UsageFault(
-                    "with --connect the boats have their own water, instruments and sensors: see 'crw boat --help'");
+                    "with --connect the boats have their own water, instruments and sensors: see 'crw boat --help';"
+                            + " simulated boats beside them (--boats) take these options");
         }
         return stated.conditions();
     }

@@ -31,8 +31,8 @@ public final class RunOptions {
             names = "--connect",
             paramLabel = "HOST:PORT,...",
             description = "Use the boats whose servers listen at these addresses ('crw boat'), or vehicles that speak"
-                    + " MAVLink (mavlink:...), in real time and instead of simulated ones; with --boats, beside them. The"
-                    + " area lies around them.")
+                + " MAVLink (mavlink:...), in real time and instead of simulated ones; with --boats, beside them. The"
+                + " area lies around them.")
     private @Nullable String connect;
 
     @Option(
@@ -98,6 +98,9 @@ public final class RunOptions {
 
     private Conditions water(boolean isConnected) {
         try {
+            if (isConnected && options.hasBoats()) {
+                return conditions.ofSimulatedBesides();
+            }
             return isConnected ? conditions.stated() : conditions.conditions();
         } catch (IllegalArgumentException e) {
             throw new UsageFault(String.valueOf(e.getMessage()));

@@ -2,6 +2,7 @@ package org.sami.crw.cli.vehicle;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -37,6 +38,20 @@ class MixedTeamTest {
             assertThat(vehicle.movedM()).isGreaterThan(1.3 * Math.max(team.distanceM("anna"), team.distanceM("boat1")));
             assertThat(Math.min(team.distanceM("anna"), team.distanceM("boat1")))
                     .isGreaterThan(20);
+        }
+    }
+
+    @Test
+    void simulatedBoatMeasuresBesideConnectedOnes() throws Exception {
+        try (SmallBoat vehicle = fast();
+                MixedTeam team = new MixedTeam(CENTRE, 40, vehicle.address() + "/9", vehicle::nearestM)) {
+            Path report = work.resolve("report");
+            team.run(report, "clv", "--locations", "3", "--sensor", "oxygen@2", "--current", "0.1@90");
+
+            assertThat(Files.readAllLines(report.resolve("readings.csv")))
+                    .hasSizeGreaterThan(10)
+                    .anyMatch(row -> row.startsWith("boat1,") && row.contains("oxygen"))
+                    .noneMatch(row -> row.startsWith("anna,") || row.startsWith("mav9,"));
         }
     }
 

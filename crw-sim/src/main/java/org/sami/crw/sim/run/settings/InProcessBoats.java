@@ -113,10 +113,11 @@ public record InProcessBoats(
     /**
      * Refuses what boats behind TCP have themselves.
      *
+     * @param areBesides whether boats of this process are beside them, which may have sensors
      * @throws IllegalArgumentException for sensors, charges, a range, a consumption, a radio, other vessels or layers
      */
-    void requireUnset() {
-        if (!conditions.sensors().isEmpty()) {
+    void requireUnset(boolean areBesides) {
+        if (!areBesides && !conditions.sensors().isEmpty()) {
             throw new IllegalArgumentException(
                     "boats behind TCP have their own water and sensors: see crw boat --help");
         }

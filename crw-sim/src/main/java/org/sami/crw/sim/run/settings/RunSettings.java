@@ -66,7 +66,7 @@ public record RunSettings(
             throw new IllegalArgumentException("boats behind TCP run at speed 1, not " + speed + "; " + addresses
                     + " addresses for " + fleet.boats() + " boats");
         }
-        fleet.inProcess().requireUnset();
+        fleet.inProcess().requireUnset(addresses < fleet.boats());
         Site site = fleet.site();
         if (addresses == fleet.boats() && site.quay().isPresent()) {
             throw new IllegalArgumentException("boats behind TCP lie where they were started: see crw boat --help");
