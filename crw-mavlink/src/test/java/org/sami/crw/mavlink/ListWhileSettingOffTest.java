@@ -54,11 +54,11 @@ class ListWhileSettingOffTest {
     /** The vehicle does not say in which mode it is, and the gateway does not give that up meanwhile. */
     private void keepHeartbeats() {
         client.slow(true);
-        boat.beating(false);
+        boat.reports().beating(false);
     }
 
     private void sendHeartbeats() {
-        boat.beating(true);
+        boat.reports().beating(true);
         client.slow(false);
     }
 
@@ -121,7 +121,7 @@ class ListWhileSettingOffTest {
         keepHeartbeats();
         StartWaypoints start = new StartWaypoints("start", "near", 0);
         client.say(start);
-        Await.until("the first is reached", () -> boat.visited().size() == 1);
+        Await.until("the first is reached", () -> boat.mission().visited().size() == 1);
         sendHeartbeats();
 
         assertThat(client.answerTo(start)).isInstanceOf(Ack.class);
