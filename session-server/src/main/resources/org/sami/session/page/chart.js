@@ -32,7 +32,10 @@ export class Chart {
     this.attention = new Map();
     /** @type {((point: [number, number]) => void) | null} */
     this.taking = null;
-    this.background();
+    this.mapFrom = ''; // the base whose background map is drawn, as Bases.web names it
+    /** @type {any[]} */
+    this.mapLayers = [];
+    this.background('');
     this.watch();
     new ResizeObserver(() => this.resized()).observe(this.map.getContainer());
     this.map.on('click', (/** @type {any} */ event) => this.taking?.([event.latlng.lat, event.latlng.lng]));
@@ -48,18 +51,21 @@ export class Chart {
     place.addEventListener('pointerdown', (/** @type {PointerEvent} */ event) => event.isPrimary || moved(), {passive: true}); // a second finger
   }
 
-  /** Draws the background map below all else, where the base has one. */
-  async background() {
-    const answer = await fetch('tiles/map.json').catch(() => null);
-    if (answer?.status !== 200) {
+  /** Draws the background map of a base below all else, where it has one; else the one that was there stays. @param {string} base as `Bases.web` names it */
+  async background(base) {
+    this.mapFrom = base;
+    const answer = await fetch(base + 'tiles/map.json').catch(() => null);
+    if (answer?.status !== 200 || this.mapFrom !== base) {
       return;
     }
+    this.mapLayers.forEach((layer) => layer.remove());
+    this.mapLayers = [];
     const about = await answer.json();
-    L.tileLayer('tiles/{z}/{x}/{y}', {minNativeZoom: about.coarsest, maxNativeZoom: about.finest, maxZoom: 22}).addTo(this.map);
+    this.mapLayers.push(L.tileLayer(base + 'tiles/{z}/{x}/{y}', {minNativeZoom: about.coarsest, maxNativeZoom: about.finest, maxZoom: 22, crossOrigin: true}).addTo(this.map));
     if (about.attribution) {
       const words = document.createElement('span');
       words.textContent = about.attribution;
-      L.control.attribution({prefix: false}).addAttribution(words.innerHTML).addTo(this.map);
+      this.mapLayers.push(L.control.attribution({prefix: false}).addAttribution(words.innerHTML).addTo(this.map));
     }
   }
 
@@ -79,6 +85,9 @@ export class Chart {
   /** @param {import('./link.js').Link} link @param {string | null} selected */
   show(link, selected) {
     this.link = link;
+    if (link.bases.web() !== this.mapFrom) {
+      this.background(link.bases.web());
+    }
     const boats = link.all('boats').filter((boat) => boat.lat !== undefined);
     for (const boat of boats) {
       const marks = [
