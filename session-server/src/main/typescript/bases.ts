@@ -122,9 +122,9 @@ export class Bases {
     return this.held !== this.own;
   }
 
-  /** Host and port of the base that holds the session, as far as is known here. */
-  holder() {
-    return this.held.replace(/^wss?:[/][/]/, '');
+  /** Where pictures and the map of the base that holds the session are: empty at the base that served this page, else its address for HTTP. */
+  web() {
+    return this.isElsewhere() ? this.held.replace(/^ws/, 'http') + '/' : '';
   }
 
   /** Never tries the base at hand again; false where there is no other. */

@@ -25,6 +25,9 @@ export class Chart {
   /** Boats to which decisions that nobody here has opened draw attention, and how. */
   attention: Map<string, string>;
   taking: ((point: LatLon) => void) | null;
+  /** The base whose background map is drawn, as `Bases.web` names it. */
+  mapFrom: string;
+  mapLayers: {remove(): unknown}[];
 
   /** @param chosen called with a boat that was touched */
   constructor(chosen: (boat: string) => void) {
@@ -47,7 +50,9 @@ export class Chart {
     this.stressed = new Set();
     this.attention = new Map();
     this.taking = null;
-    this.background();
+    this.mapFrom = '';
+    this.mapLayers = [];
+    this.background('');
     this.watch();
     new ResizeObserver(() => this.resized()).observe(this.map.getContainer());
     this.map.on('click', (event) => this.taking?.([event.latlng.lat, event.latlng.lng]));
@@ -63,18 +68,21 @@ export class Chart {
     place.addEventListener('pointerdown', (event: PointerEvent) => event.isPrimary || moved(), {passive: true}); // a second finger
   }
 
-  /** Draws the background map below all else, where the base has one. */
-  async background() {
-    const answer = await fetch('tiles/map.json').catch(() => null);
-    if (answer?.status !== 200) {
+  /** Draws the background map of a base below all else, where it has one; else the one that was there stays. @param base as `Bases.web` names it */
+  async background(base: string) {
+    this.mapFrom = base;
+    const answer = await fetch(base + 'tiles/map.json').catch(() => null);
+    if (answer?.status !== 200 || this.mapFrom !== base) {
       return;
     }
+    this.mapLayers.forEach((layer) => layer.remove());
+    this.mapLayers = [];
     const about: {coarsest: number, finest: number, attribution?: string} = await answer.json();
-    L.tileLayer('tiles/{z}/{x}/{y}', {minNativeZoom: about.coarsest, maxNativeZoom: about.finest, maxZoom: 22}).addTo(this.map);
+    this.mapLayers.push(L.tileLayer(base + 'tiles/{z}/{x}/{y}', {minNativeZoom: about.coarsest, maxNativeZoom: about.finest, maxZoom: 22, crossOrigin: true}).addTo(this.map));
     if (about.attribution) {
       const words = document.createElement('span');
       words.textContent = about.attribution;
-      L.control.attribution({prefix: false}).addAttribution(words.innerHTML).addTo(this.map);
+      this.mapLayers.push(L.control.attribution({prefix: false}).addAttribution(words.innerHTML).addTo(this.map));
     }
   }
 
@@ -93,6 +101,9 @@ export class Chart {
 
   show(link: Link, selected: string | null) {
     this.link = link;
+    if (link.bases.web() !== this.mapFrom) {
+      this.background(link.bases.web());
+    }
     const boats = Chart.placed(link.all('boats'));
     for (const boat of boats) {
       const marks = [

@@ -52,16 +52,10 @@ export class Pictures {
     if (here.length === 0 && coming === 0) {
       return null;
     }
-    const had = this.link.bases.isElsewhere() ? here.filter((one) => this.address(one, true)) : here;
-    const shown = had.slice(0, MOST_SHOWN);
-    const more = had.length - shown.length;
-    const words = [coming > 0 ? coming + ' not here yet' : null, more > 0 ? more + ' more: touch one and turn over' : null, had.length < here.length ? this.elsewhere() : null].filter(Boolean).join(' · ');
-    return element('div', {class: 'strip', role: 'group', 'aria-label': 'Pictures'}, ...shown.map((one) => this.small(one, had)), words ? element('small', {}, words) : null);
-  }
-
-  /** Why none come: those of the base that holds the session are for its own page, and the ticket is no other base's. */
-  elsewhere() {
-    return 'Pictures come once the page of ' + this.link.bases.holder() + ' is opened';
+    const shown = here.slice(0, MOST_SHOWN);
+    const more = here.length - shown.length;
+    const words = [coming > 0 ? coming + ' not here yet' : null, more > 0 ? more + ' more: touch one and turn over' : null].filter(Boolean).join(' · ');
+    return element('div', {class: 'strip', role: 'group', 'aria-label': 'Pictures'}, ...shown.map((one) => this.small(one, here)), words ? element('small', {}, words) : null);
   }
 
   small(one: Picture, all: Picture[]) {
@@ -80,7 +74,7 @@ export class Pictures {
       this.kept.set(asked, known);
       return known;
     }
-    if (!this.link.bases.isElsewhere() && !this.waiting.has(asked) && Date.now() - (this.failedAt.get(asked) ?? 0) > AGAIN_MS) {
+    if (!this.waiting.has(asked) && Date.now() - (this.failedAt.get(asked) ?? 0) > AGAIN_MS) {
       this.waiting.add(asked);
       this.chain = this.chain.then(() => this.fetch(asked));
     }
@@ -89,13 +83,8 @@ export class Pictures {
 
   /** One after the other, as they share the way with what is more urgent. */
   async fetch(asked: string) {
-    if (this.link.bases.isElsewhere()) { // since it was asked for
-      this.waiting.delete(asked);
-      this.draw();
-      return;
-    }
     try {
-      const answer = await fetch('picture?' + asked, {headers: {Authorization: 'Bearer ' + this.link.welcome?.ticket}, cache: 'no-store'});
+      const answer = await fetch(this.link.bases.web() + 'picture?' + asked, {headers: {Authorization: 'Bearer ' + this.link.welcome?.ticket}, cache: 'no-store'});
       if (!answer.ok) {
         throw new Error(String(answer.status));
       }
@@ -136,21 +125,20 @@ export class Pictures {
     }
     const whole = this.address(one, false);
     const address = whole ?? this.address(one, true);
-    const why = this.link.bases.isElsewhere() ? this.elsewhere() : null;
-    const state = this.at + ' ' + address + ' ' + why;
+    const state = this.at + ' ' + address;
     if (byId('viewer').dataset.shown === state && byId('viewer').firstChild) {
       return;
     }
     byId('viewer').dataset.shown = state;
     const image = element('img', {src: address, class: whole ? '' : 'coming', alt: 'Picture that ' + one.row.boat + ' took', onclick: () => image.classList.toggle('natural')});
-    const words = [one.row.boat, (this.at + 1) + ' of ' + this.open.length, duration(this.link.now() - one.row.at) + ' ago', whole || (why && !address) ? null : why ?? 'coming…'].filter(Boolean).join(' · ');
+    const words = [one.row.boat, (this.at + 1) + ' of ' + this.open.length, duration(this.link.now() - one.row.at) + ' ago', whole ? null : 'coming…'].filter(Boolean).join(' · ');
     byId('viewer').replaceChildren(
       element('div', {class: 'bar-of-viewer'},
         element('button', {type: 'button', 'aria-label': 'The picture before', disabled: this.at === 0, onclick: () => this.turn(-1)}, '‹'),
         element('span', {role: 'status'}, words),
         element('button', {type: 'button', 'aria-label': 'The next picture', disabled: this.at === this.open.length - 1, onclick: () => this.turn(1)}, '›'),
         element('button', {type: 'button', 'aria-label': 'Close', onclick: () => this.close()}, '✕')),
-      element('div', {class: 'large'}, address ? image : element('p', {class: 'hint'}, why ?? 'The picture is coming…')));
+      element('div', {class: 'large'}, address ? image : element('p', {class: 'hint'}, 'The picture is coming…')));
   }
 
   turn(by: number) {

@@ -44,6 +44,7 @@ export interface Map {
 
 export interface Layer {
   addTo(place: Map | LayerGroup): this;
+  remove(): this;
   bindTooltip(content: HTMLElement, options: {permanent?: boolean, direction?: 'top' | 'center', offset?: Point2, className?: string}): this;
 }
 
@@ -85,6 +86,7 @@ export interface PathOptions {
 
 export interface Control {
   addTo(map: Map): this;
+  remove(): this;
 }
 
 export interface AttributionControl extends Control {
@@ -100,7 +102,7 @@ export const control: {
 export function map(id: string, options: MapOptions): Map;
 export function latLngBounds(points: Point2[]): LatLngBounds;
 export function layerGroup(): LayerGroup;
-export function tileLayer(address: string, options: {minNativeZoom?: number, maxNativeZoom?: number, maxZoom?: number}): Layer;
+export function tileLayer(address: string, options: {minNativeZoom?: number, maxNativeZoom?: number, maxZoom?: number, crossOrigin?: boolean}): Layer;
 export function imageOverlay(address: string, corners: [Point2, Point2], options: {pane?: string, opacity?: number, className?: string, interactive?: boolean}): Layer;
 export function divIcon(options: {className?: string, iconSize?: Point2, html?: HTMLElement}): Icon;
 export function marker(at: Point2, options: MarkerOptions): Marker;

@@ -41,8 +41,8 @@ final class LogHandler extends TicketHandler {
      *
      * @param news is told who fetches which boat's
      */
-    LogHandler(Fleet fleet, Tickets tickets, LogNews news) {
-        super(tickets, "session server logs", MOST_BOATS_AT_ONCE);
+    LogHandler(Fleet fleet, Tickets tickets, SessionBases bases, LogNews news) {
+        super(tickets, bases, "session server logs", MOST_BOATS_AT_ONCE);
         this.fleet = fleet;
         this.news = news;
     }

@@ -26,7 +26,7 @@ final class PageHandler extends Handler.Abstract {
     private static final String LEAFLET_PATH = "/leaflet/";
 
     private static final String POLICY =
-            "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:;"
+            "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:%s;"
                     + " font-src 'self'; connect-src 'self'%s; manifest-src 'self'; worker-src 'self'; base-uri 'none';"
                     + " form-action 'none'; frame-ancestors 'none'";
     private static final int MOST_BYTES = 8 << 20;
@@ -51,10 +51,10 @@ final class PageHandler extends Handler.Abstract {
     /**
      * Serves the page.
      *
-     * @param bases to which the page may connect besides
+     * @param bases to which the page may connect besides, and whose map it may show
      */
     PageHandler(SessionBases bases) {
-        policy = POLICY.formatted(bases.sources());
+        policy = POLICY.formatted(bases.origins(), bases.sources());
     }
 
     @Override

@@ -77,7 +77,7 @@ final class PageServer {
         connector = connector(server, address);
         server.addConnector(connector);
         WebSocketUpgradeHandler upgrades = WebSocketUpgradeHandler.from(server, this::configure);
-        Handler pages = new TileHandler(map, new PageHandler(bases));
+        Handler pages = new TileHandler(map, bases, new PageHandler(bases));
         for (Handler.Wrapper one : first) {
             one.setHandler(pages);
             pages = one;

@@ -35,8 +35,8 @@ final class PictureHandler extends TicketHandler {
      *
      * @param taken the pictures that there are; from any thread
      */
-    PictureHandler(Supplier<List<PanoramaPictures>> taken, Tickets tickets) {
-        super(tickets, "session server pictures", 1);
+    PictureHandler(Supplier<List<PanoramaPictures>> taken, Tickets tickets, SessionBases bases) {
+        super(tickets, bases, "session server pictures", 1);
         this.taken = taken;
     }
 

@@ -14,6 +14,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
 import org.sami.session.rows.Table;
 
 /**
@@ -119,8 +122,22 @@ public record SessionBases(List<Base> all) {
         return all.stream().anyMatch(base -> base.origin().equalsIgnoreCase(origin));
     }
 
-    /** Their addresses with a space before each, for the content policy of the page. */
+    /** The addresses of their links and of what they give over HTTP, with a space before each, for the content policy of the page. */
     String sources() {
-        return all.stream().map(base -> " " + base.address()).collect(Collectors.joining());
+        return all.stream().map(base -> " " + base.address()).collect(Collectors.joining()) + origins();
+    }
+
+    /** The addresses of what they give over HTTP, with a space before each, for the content policy of the page. */
+    String origins() {
+        return all.stream().map(base -> " " + base.origin()).collect(Collectors.joining());
+    }
+
+    /** Lets a page of one of these bases read a response, where such a page asks; no other page of elsewhere. */
+    void letPagesRead(Request request, Response response) {
+        Optional.ofNullable(request.getHeaders().get(HttpHeader.ORIGIN))
+                .filter(this::haveOrigin)
+                .ifPresent(page -> response.getHeaders()
+                        .put(HttpHeader.ACCESS_CONTROL_ALLOW_ORIGIN, page)
+                        .put(HttpHeader.VARY, "Origin"));
     }
 }

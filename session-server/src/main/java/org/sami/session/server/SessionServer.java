@@ -30,8 +30,8 @@ public final class SessionServer implements AutoCloseable {
                 bases,
                 tickets,
                 System::nanoTime);
-        pictures = new PictureHandler(session.models().pictures()::snapshot, tickets);
-        logs = new LogHandler(session.fleet(), tickets, new LogNews(fronts.news(), System::nanoTime));
+        pictures = new PictureHandler(session.models().pictures()::snapshot, tickets, bases);
+        logs = new LogHandler(session.fleet(), tickets, bases, new LogNews(fronts.news(), System::nanoTime));
         server = new PageServer(address, people, bases, map, List.of(pictures, logs), fronts::connect);
     }
 

@@ -26,14 +26,17 @@ abstract class TicketHandler extends Handler.Wrapper implements AutoCloseable {
     private static final int IDLE_S = 10;
 
     private final Tickets tickets;
+    private final SessionBases bases;
     private final ThreadPoolExecutor worker;
 
     /**
      * A handler whose work is done on so many threads of a name.
      *
+     * @param bases whose pages may fetch it too, after a take-over
      * @param threads at most
      */
-    TicketHandler(Tickets tickets, String name, int threads) {
+    TicketHandler(Tickets tickets, SessionBases bases, String name, int threads) {
+        this.bases = bases;
         this.tickets = tickets;
         worker = new ThreadPoolExecutor(
                 threads, threads, IDLE_S, TimeUnit.SECONDS, new LinkedBlockingQueue<>(MOST_WAITING), work -> {
@@ -52,8 +55,15 @@ abstract class TicketHandler extends Handler.Wrapper implements AutoCloseable {
 
     @Override
     public final boolean handle(Request request, Response response, Callback callback) throws Exception {
-        if (!serves(Request.getPathInContext(request)) || !HttpMethod.GET.is(request.getMethod())) {
+        boolean asks = HttpMethod.OPTIONS.is(request.getMethod()); // a browser, whether a page of another base may
+        if (!serves(Request.getPathInContext(request)) || !(asks || HttpMethod.GET.is(request.getMethod()))) {
             return super.handle(request, response, callback);
+        }
+        bases.letPagesRead(request, response);
+        if (asks) {
+            response.getHeaders().put(HttpHeader.ACCESS_CONTROL_ALLOW_HEADERS, "Authorization");
+            send(response, HttpStatus.NO_CONTENT_204, new byte[0], callback);
+            return true;
         }
         response.getHeaders()
                 .put("Content-Security-Policy", "default-src 'none'; sandbox; frame-ancestors 'none'")

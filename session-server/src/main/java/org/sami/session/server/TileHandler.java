@@ -25,8 +25,16 @@ final class TileHandler extends Handler.Wrapper {
 
     private final Optional<TileFile> map;
 
-    TileHandler(Optional<TileFile> map, Handler others) {
+    private final SessionBases bases;
+
+    /**
+     * Serves a map, if there is one.
+     *
+     * @param bases whose pages may read it too, after a take-over
+     */
+    TileHandler(Optional<TileFile> map, SessionBases bases, Handler others) {
         super(others);
+        this.bases = bases;
         this.map = map;
     }
 
@@ -41,6 +49,7 @@ final class TileHandler extends Handler.Wrapper {
         response.getHeaders()
                 .put("X-Content-Type-Options", "nosniff")
                 .put("Cross-Origin-Resource-Policy", "same-origin");
+        bases.letPagesRead(request, response);
         if (map.isEmpty()) {
             response.setStatus(describes ? HttpStatus.NO_CONTENT_204 : HttpStatus.NOT_FOUND_404);
             response.write(true, ByteBuffer.allocate(0), callback);

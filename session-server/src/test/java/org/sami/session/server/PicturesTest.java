@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.ByteArrayInputStream;
+import java.net.InetAddress;
 import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -42,7 +43,7 @@ class PicturesTest {
         served = ServedSession.ofPlan("station-keep", folder).with("otto", PersonRole.OBSERVER);
         session = served.session();
         people = served.people();
-        server = served.serve();
+        server = served.serve(ServerAddress.onThisMachine(0), SessionBases.parse(List.of("ws://127.0.0.1:8081")));
         served.begin();
         TakenPanorama.give(session, folder);
         otto = new TestFront(server);
@@ -63,6 +64,30 @@ class PicturesTest {
             request.header("Authorization", "Bearer " + shown);
         }
         return HttpClient.newHttpClient().send(request.build(), HttpResponse.BodyHandlers.ofByteArray());
+    }
+
+    @Test
+    void onlyPagesOfTheSessionsBasesMayReadPictures() throws Exception {
+        for (String method : List.of("GET", "OPTIONS")) {
+            assertThat(allowed(method, "http://127.0.0.1:8081")).isEqualTo("http://127.0.0.1:8081");
+            assertThat(allowed(method, "http://127.0.0.1:8082")).isEmpty();
+        }
+    }
+
+    private String allowed(String method, String page) throws Exception {
+        try (Socket socket =
+                new Socket(InetAddress.getLoopbackAddress(), server.listensAt().getPort())) {
+            socket.getOutputStream()
+                    .write((method + " /" + TakenPanorama.QUERY + "a.jpg&small=1 HTTP/1.0\r\nOrigin: " + page
+                                    + "\r\nAuthorization: Bearer " + ticket + "\r\n\r\n")
+                            .getBytes(StandardCharsets.US_ASCII));
+            String head = new String(socket.getInputStream().readAllBytes(), StandardCharsets.ISO_8859_1);
+            return head.lines()
+                    .filter(line -> line.startsWith("Access-Control-Allow-Origin: "))
+                    .map(line -> line.substring(line.indexOf(' ') + 1))
+                    .findFirst()
+                    .orElse("");
+        }
     }
 
     @Test

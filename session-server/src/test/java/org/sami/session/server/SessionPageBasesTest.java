@@ -14,6 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.session.Session;
+import org.sami.session.map.TestTiles;
+import org.sami.session.map.TileFile;
 import org.sami.session.person.PeopleFile;
 import org.sami.session.person.PersonRole;
 import org.sami.session.server.testing.ServedSession;
@@ -112,24 +114,50 @@ class SessionPageBasesTest {
         assertThat(session.faults().failure()).isEmpty();
     }
 
+    /** Small pictures of bella that are shown, not only announced. */
+    private static final String SHOWN =
+            "[...document.querySelectorAll('.strip img')].filter((one) => one.naturalWidth > 0).length";
+
+    private void showPicturesOfBella() throws Exception {
+        browser.click("#tabs button:nth-child(2)");
+        browser.until("document.querySelector('#panel button.row') !== null");
+        browser.click("#panel button.row");
+        browser.until(SHOWN + " > 0");
+    }
+
     @Test
-    void pageOfAStandbyAsksItForNoPictureOfTheHolder() throws Exception {
+    void pageOfAStandbyShowsPicturesOfTheHolder() throws Exception {
         try (MeasuringBoat boat = new MeasuringBoat()) {
             boat.join(session);
             TakenPanorama.give(session, folder);
             join(standby.url());
-            browser.click("#tabs button:nth-child(2)");
-            browser.until("document.querySelector('#panel button.row') !== null");
-            browser.click("#panel button.row");
 
-            browser.until("document.querySelector('.strip small') !== null");
-            assertThat(browser.value("document.querySelector('.strip').textContent")
-                            .asText())
-                    .endsWith("Pictures come once the page of 127.0.0.1:" + port(holder) + " is opened");
-            assertThat(browser.value("performance.getEntriesByType('resource')"
-                                    + ".filter((one) => one.name.includes('/picture?')).length")
-                            .asInt())
-                    .isZero();
+            showPicturesOfBella();
+        }
+    }
+
+    @Test
+    void pageGetsPicturesAndMapOfTheBaseThatTookOver() throws Exception {
+        try (MeasuringBoat boat = new MeasuringBoat();
+                TileFile map = TileFile.open(TestTiles.write(folder.resolve("lake.mbtiles"), "png", 0, 0, 0))) {
+            boat.join(session);
+            TakenPanorama.give(session, folder);
+            int first = port(holder);
+            int second = standby.listensAt().getPort();
+            join(holder.url());
+            browser.until("document.querySelector('.leaflet-tile') === null"); // the first base has no map
+
+            holder.close();
+            standby.close();
+            try (SessionServer other = SessionServer.start(
+                    session, people, ServerAddress.onThisMachine(second), Optional.of(map), bases(first))) {
+                assertThat(port(other)).isEqualTo(second);
+                browser.until(STATE + ".includes('anna (operator)')");
+                showPicturesOfBella();
+                browser.until("[...document.querySelectorAll('.leaflet-tile')].some((one) => one.naturalWidth > 0"
+                        + " && one.src.startsWith('http://127.0.0.1:" + second + "/tiles/'))");
+                assertThat(browser.value("location.port").asText()).isEqualTo("" + first);
+            }
         }
     }
 
