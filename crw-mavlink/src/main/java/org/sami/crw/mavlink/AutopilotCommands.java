@@ -94,6 +94,11 @@ final class AutopilotCommands {
         };
     }
 
+    /** Whether the fleet stop is latched and carried out: nothing is sent from here that arms the vehicle. */
+    boolean isLatched() {
+        return !stoppedBy.isEmpty() && !motion.isStopping();
+    }
+
     /** Whether the vehicle is still carrying out an order. */
     boolean isBusy() {
         return motion.isBusy();

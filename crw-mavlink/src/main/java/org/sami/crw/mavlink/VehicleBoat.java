@@ -22,6 +22,7 @@ import org.sami.mavlink.vehicle.TextSeverity;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
+import org.sami.spn.protocol.Priority;
 
 /**
  * A vehicle as a boat of the base: what it reports becomes what boats say, and the base's commands go to {@link AutopilotCommands}. It lives as long as its link,
@@ -45,6 +46,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehicleFiles files;
     private final VehicleSensors sensors = new VehicleSensors();
     private final OtherHands others = new OtherHands();
+    private final ForeignStart start;
     private Optional<BaseSession> session = Optional.empty();
     private VehicleSnapshot vehicle;
     private long saidMs; // time of the last telemetry
@@ -59,6 +61,7 @@ final class VehicleBoat implements BaseSession.Boat {
     VehicleBoat(MavlinkBase base, VehicleSnapshot first, Executor thread, VehicleFiles files) {
         name = "mav" + first.id();
         vehicle = first;
+        start = new ForeignStart(name, first.armed());
         flies = first.kind() == VehicleKind.COPTER;
         this.files = files;
         settings = new VehicleSettings(base, first.id(), flies, thread, this::reportSettings);
@@ -191,13 +194,19 @@ final class VehicleBoat implements BaseSession.Boat {
         if (another || placed) {
             reportSettings();
         }
-        if (taken) {
-            String who = others.who(now, atMs);
-            session.ifPresent(told -> {
-                sayTaken(told, who);
+        String who = others.who(now, atMs);
+        boolean isTheirs = session.filter(told -> !told.takenBy().isEmpty()).isPresent();
+        session.filter(told -> taken).ifPresent(told -> {
+            sayTaken(told, who);
+            told.takenBy(who);
+        });
+        Optional<String> news = start.seen(now, taken || isTheirs, orders.isLatched(), who);
+        session.ifPresent(told -> news.ifPresent(text -> {
+            told.say(Priority.CRITICAL, text);
+            if (isTheirs) {
                 told.takenBy(who);
-            });
-        }
+            }
+        }));
     }
 
     /** Something happened to it. */

@@ -25,6 +25,7 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.mavlink.link.SigningKey;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
 
 /** Commands one vehicle through a gateway by messages of the boat link, each once. */
@@ -185,7 +186,7 @@ final class LinkClient implements AutoCloseable {
         }
 
         @Override
-        public void alarm(String text) {
+        public void said(Priority priority, String text) {
             alarms.add(text);
         }
 
