@@ -18,7 +18,6 @@ import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Traffic;
 import org.sami.mavlink.base.MavlinkBase;
-import org.sami.mavlink.vehicle.TextSeverity;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -47,6 +46,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehicleSensors sensors = new VehicleSensors();
     private final OtherHands others = new OtherHands();
     private final ForeignStart start;
+    private final VehicleTexts texts;
     private Optional<BaseSession> session = Optional.empty();
     private VehicleSnapshot vehicle;
     private long saidMs; // time of the last telemetry
@@ -61,6 +61,7 @@ final class VehicleBoat implements BaseSession.Boat {
     VehicleBoat(MavlinkBase base, VehicleSnapshot first, Executor thread, VehicleFiles files) {
         name = "mav" + first.id();
         vehicle = first;
+        texts = new VehicleTexts(name);
         start = new ForeignStart(name, first.armed());
         flies = first.kind() == VehicleKind.COPTER;
         this.files = files;
@@ -77,6 +78,7 @@ final class VehicleBoat implements BaseSession.Boat {
                 first,
                 thread,
                 settings,
+                performance::waypointRadiusM,
                 this::broadcast,
                 kept -> keep(files, kept),
                 this::alarm,
@@ -222,11 +224,10 @@ final class VehicleBoat implements BaseSession.Boat {
                 told.end("its autopilot has started again");
             });
         } else if (event instanceof VehicleEvent.Said said) {
-            if (said.text().severity().compareTo(TextSeverity.WARNING) <= 0) {
-                session.ifPresent(
-                        told -> told.alarm(name + " says: " + said.text().text()));
-            }
+            texts.weigh(said.text(), atMs)
+                    .ifPresent(weight -> session.ifPresent(told -> told.say(weight, texts.words(said.text()))));
             others.said(said.text(), atMs);
+            orders.happened(event);
         } else if (event instanceof VehicleEvent.Measured measured) {
             VehicleReports.reading(vehicle, measured.reading(), Math.max(0, atMs))
                     .ifPresent(report -> {

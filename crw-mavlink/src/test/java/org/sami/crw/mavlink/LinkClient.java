@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.Frame;
@@ -32,6 +33,7 @@ import org.sami.spn.value.GeoArea;
 final class LinkClient implements AutoCloseable {
     private final List<LinkMessage> said = new CopyOnWriteArrayList<>();
     private final List<String> alarms = new CopyOnWriteArrayList<>();
+    private final List<Priority> priorities = new CopyOnWriteArrayList<>(); // of those
     private final SlowableClock clock = new SlowableClock();
     private final MavlinkGateway gateway;
     private final String address;
@@ -116,6 +118,19 @@ final class LinkClient implements AutoCloseable {
         Await.until("alarm " + words, () -> hasAlarm(words));
     }
 
+    /** The alarms with such words that have come. */
+    List<String> alarms(String words) {
+        return alarms.stream().filter(text -> text.contains(words)).toList();
+    }
+
+    /** The alarms of a priority that begin so, in their order. */
+    List<String> said(String words, Priority priority) {
+        return IntStream.range(0, alarms.size())
+                .filter(i -> priorities.get(i) == priority && alarms.get(i).startsWith(words))
+                .mapToObj(alarms::get)
+                .toList();
+    }
+
     /** Whether an alarm with such words has come. */
     boolean hasAlarm(String words) {
         return alarms.stream().anyMatch(text -> text.contains(words));
@@ -187,6 +202,7 @@ final class LinkClient implements AutoCloseable {
 
         @Override
         public void said(Priority priority, String text) {
+            priorities.add(priority);
             alarms.add(text);
         }
 

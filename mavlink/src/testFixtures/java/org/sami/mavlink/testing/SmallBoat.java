@@ -178,6 +178,14 @@ public final class SmallBoat implements AutoCloseable {
                 .toList());
     }
 
+    /** Somebody else has given it this mission, which it says, as ArduPilot's boats do where the items to which they go next change. */
+    public synchronized void replaceMission(List<MissionItem> items) {
+        ownMission(items);
+        for (int i = 0; i < 3; i++) {
+            say("Auto mission changed, restarted command");
+        }
+    }
+
     /** It refuses each mission, and each part of one, from now on, or no longer. */
     public synchronized void refuseMissions(boolean now) {
         mission.refuse(now);
@@ -477,8 +485,7 @@ public final class SmallBoat implements AutoCloseable {
         bootMs += STEP_MS;
         fence.tick(bootMs);
         if (armed && !faults.isStuck()) {
-            motion.step(mode, mission, STEP_MS / 1000.0)
-                    .forEach(item -> send(MissionItemReached.builder().seq(item).build()));
+            motion.step(mode, mission, STEP_MS / 1000.0).forEach(this::reached);
         }
         long step = stepped++;
         if (seldom && step % REST_EVERY != 0) {
@@ -488,6 +495,13 @@ public final class SmallBoat implements AutoCloseable {
         } else if (step % (seldom ? REST_EVERY : BEAT_EVERY) == 0) {
             report();
         }
+    }
+
+    private void reached(int item) {
+        if (placed && !seldom) { // it was there within this step, from which it may have gone on
+            mission.item(item).ifPresent(place -> sayWhere(place.x(), place.y()));
+        }
+        send(MissionItemReached.builder().seq(item).build());
     }
 
     private void report() {
@@ -518,10 +532,14 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private void sayWhere() {
+        sayWhere(motion.lat(), motion.lon());
+    }
+
+    private void sayWhere(int lat, int lon) {
         send(GlobalPositionInt.builder()
                 .timeBootMs(bootMs)
-                .lat(motion.lat())
-                .lon(motion.lon())
+                .lat(lat)
+                .lon(lon)
                 .vx((int) (sail > 0 ? sail * 100 : armed ? motion.speed() * 100 : 0))
                 .hdg(9_000)
                 .build());

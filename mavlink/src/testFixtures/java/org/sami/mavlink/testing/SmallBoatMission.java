@@ -57,6 +57,11 @@ final class SmallBoatMission {
         items = new ArrayList<>();
     }
 
+    /** One of its items; empty where it has no such one. */
+    Optional<MissionItemInt> item(int number) {
+        return number < items.size() ? Optional.of(items.get(number)) : Optional.empty();
+    }
+
     /** How many items it has, as ArduPilot says it: without home. */
     int total() {
         return items.isEmpty() ? NO_ITEMS : items.size() - 1;
