@@ -142,11 +142,12 @@ public final class MavlinkLink implements AutoCloseable {
     public synchronized MavlinkLinkReport report() {
         long bytes = earlierBytes + connected.map(now -> now.in().bytes()).orElse(0L);
         Optional<String> wrong = fault;
-        if (wrong.isEmpty()
-                && state == MavlinkLinkState.OPEN
-                && count.messages() == 0
-                && refused.isEmpty()
-                && bytes > STRANGE_BYTES) {
+        boolean isStrange = wrong.isEmpty() && state == MavlinkLinkState.OPEN && count.messages() == 0;
+        Optional<String> stranger =
+                connected.flatMap(now -> StrangePeer.of(now.in().first()));
+        if (isStrange && stranger.isPresent()) {
+            wrong = stranger;
+        } else if (isStrange && refused.isEmpty() && bytes > STRANGE_BYTES) {
             wrong = Optional.of("what comes is no MAVLink: is it the right port, and the right baud rate?");
         } else if (wrong.isEmpty() && firstVersionOnly) {
             wrong = Optional.of(
@@ -220,7 +221,9 @@ public final class MavlinkLink implements AutoCloseable {
                 }
             }
         } catch (IOException e) {
-            return "it broke: " + Objects.requireNonNullElse(e.getMessage(), e.toString());
+            synchronized (this) {
+                return StrangePeer.ended(e, in.first(), count.messages());
+            }
         }
     }
 

@@ -141,6 +141,11 @@ public final class SmallBoat implements AutoCloseable {
         link.keyed(fleet);
     }
 
+    /** It speaks MAVLink 1 from now on. */
+    public void speakFirstVersion() {
+        link.speakFirstVersion();
+    }
+
     /** Whether its motors may turn. */
     public synchronized boolean isArmed() {
         return armed;
@@ -366,6 +371,11 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private synchronized void take(Object message) {
+        if (message instanceof CommandLong command
+                && command.command().value() != SEND_EVERY
+                && faults.isIgnoringOrder()) {
+            return;
+        }
         if (message instanceof CommandLong command) {
             boolean known = command(command.command().value(), command.param1(), command.param2());
             if (!ignoresSpeeds || command.command().value() != CHANGE_SPEED) {
@@ -388,7 +398,7 @@ public final class SmallBoat implements AutoCloseable {
             report(set.paramId());
         } else if (isAboutFence(message)) {
             fence.take(STATION, message, bootMs);
-        } else if (!faults.isIgnoringMissions()) {
+        } else if (SmallBoatMission.isAboutMission(message) && faults.mayAnswer()) {
             mission.answers(message).forEach(this::send);
         }
     }

@@ -127,6 +127,16 @@ final class SmallBoatMission {
         return reached;
     }
 
+    /** Whether a message is one of those by which missions come and go. */
+    static boolean isAboutMission(Object message) {
+        return message instanceof MissionRequestList
+                || message instanceof MissionRequestInt
+                || message instanceof MissionCount
+                || message instanceof MissionWritePartialList
+                || message instanceof MissionClearAll
+                || message instanceof MissionItemInt;
+    }
+
     /** What it answers. */
     List<Object> answers(Object message) {
         if (message instanceof MissionRequestList list) {
