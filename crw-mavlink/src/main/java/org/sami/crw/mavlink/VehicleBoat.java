@@ -31,6 +31,8 @@ final class VehicleBoat implements BaseSession.Boat {
     private static final System.Logger LOG = System.getLogger(VehicleBoat.class.getName());
     private static final long HEARTBEAT_MS = 900; // so that it comes once a second at least
     private static final long TICK_MS = 100;
+    private static final long FRESH_MS =
+            300; // what is older is passed on no longer: it would hide for a second that the vehicle is silent
     private static final long BATTERY_MS = 10_000;
     private static final double STILL_MPS = 0.1;
 
@@ -252,10 +254,12 @@ final class VehicleBoat implements BaseSession.Boat {
             return;
         }
         BaseSession told = session.get();
-        boolean news = vehicle.heardMs() > heardMs; // no heartbeat goes out while the vehicle is silent
-        boolean moved = vehicle.position()
-                .filter(at -> at.heardMs() > positionMs)
-                .isPresent(); // an old position is not repeated as a new one
+        boolean isFresh = atMs - vehicle.heardMs() <= FRESH_MS;
+        boolean news = isFresh && vehicle.heardMs() > heardMs; // no heartbeat goes out while the vehicle is silent
+        boolean moved = isFresh
+                && vehicle.position()
+                        .filter(at -> at.heardMs() > positionMs)
+                        .isPresent(); // an old position is not repeated as a new one
         if (moved && atMs - saidMs >= told.telemetryPeriodMs() - TICK_MS) {
             VehicleReports.telemetry(vehicle, orders.mode(), orders.givesWayTo(), Math.max(0, atMs))
                     .ifPresent(telemetry -> {
