@@ -8,6 +8,8 @@ import java.util.Optional;
 
 /** Words for the other end of a link that is no vehicle, or has ended the link: what answered, and what to do. */
 final class StrangePeer {
+    static final String NOISE = "what comes is no MAVLink: is it the right port, and the right baud rate?";
+
     private static final String LOOK = "look at host and port (ArduPilot's simulator listens on TCP 5760)";
 
     private StrangePeer() {}
