@@ -1,6 +1,7 @@
 package org.sami.crw.proxy;
 
 import java.util.Optional;
+import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.BoatPerformance;
 import org.sami.crw.proxy.execution.ExpectedWayHome;
 import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
@@ -56,6 +57,8 @@ final class BoatCondition {
     /** Why the boat refused the link last; empty if it did not. */
     String refusal = "";
 
+    boolean stopSeen; // it was seen stopped since the stop that it names was latched
+
     /** The boat that answers over this link, if it is another one. */
     Optional<String> otherBoat = Optional.empty();
 
@@ -90,6 +93,15 @@ final class BoatCondition {
         nowMs = Math.max(nowMs, atMs);
     }
 
+    /** Whether it says that a fleet stop is latched, and that its motors may turn all the same, which this base did not order. */
+    boolean isStopOverridden() {
+        return stopSeen
+                && !stoppedBy.isEmpty()
+                && status.link() == LinkState.LINKED
+                && !link.isCommanding()
+                && status.mode().filter(mode -> mode != BoatMode.FLEET_STOP).isPresent();
+    }
+
     /** How the boat is carried over ground while it does not drive; empty for one that drives, or of which nothing is heard. */
     Optional<Drift> drift() {
         return status.link() == LinkState.LINKED
@@ -115,6 +127,9 @@ final class BoatCondition {
                     Cause.COMMANDED_ELSEWHERE,
                     link.replacedBy()
                             .map(other -> "this base was replaced by " + other.clientId())
+                            .or(() -> link.holder()
+                                    .filter(who -> isStopOverridden())
+                                    .map(who -> who + " commands the boat"))
                             .orElse("another client commands the boat"));
         } else if (fleetStopped) {
             return Obstacle.because(

@@ -1,6 +1,7 @@
 package org.sami.crw.proxy;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.sami.boat.link.BoatMode;
 import org.sami.crw.proxy.command.FollowPath;
@@ -18,9 +19,11 @@ import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.explanation.Obstacle;
 import org.sami.crw.proxy.queue.QueuedCommand;
+import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.Drift;
+import org.sami.crw.proxy.status.LinkState;
 import org.sami.spn.protocol.Ids;
 
 /** Answers "why is this boat not moving?" from its condition and the queue of its commands. */
@@ -34,6 +37,9 @@ final class BoatExplainer {
 
     /** Slower than this it may as well drift, in m/s: more than a current and a breeze in the field. */
     private static final double DRIVES_MPS = 0.4;
+
+    /** A boat that is faster is never said not to move, in m/s. */
+    private static final double RESTS_MPS = 0.3;
 
     private final String boatId;
     private final CommandDriver driver;
@@ -227,9 +233,19 @@ final class BoatExplainer {
         return commands == 1 ? "; one command waits" : "; " + commands + " commands wait";
     }
 
+    private String moves() {
+        return condition
+                .status
+                .pose()
+                .map(BoatPose::speedMps)
+                .filter(mps -> condition.status.link() == LinkState.LINKED && mps > RESTS_MPS)
+                .map(mps -> String.format(Locale.ROOT, "moves at %.1f m/s", mps))
+                .orElse("does not move");
+    }
+
     private BoatExplanation still(Cause cause, String why) {
         String does =
-                condition.drift().filter(Drift::isMoving).map(Drift::words).orElse("does not move");
+                condition.drift().filter(Drift::isMoving).map(Drift::words).orElseGet(this::moves);
         return new BoatExplanation(false, cause, boatId + " " + does + ": " + why);
     }
 }

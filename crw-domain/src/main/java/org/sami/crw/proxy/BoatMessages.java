@@ -107,6 +107,7 @@ final class BoatMessages {
             driver.taken(report);
         } else if (message instanceof SettingsReport report) {
             condition.stoppedBy = report.stoppedBy();
+            condition.stopSeen &= !report.stoppedBy().isEmpty();
             condition.home = report.home().map(home -> GeoPoint.of(home.latDeg(), home.lonDeg()));
             condition.error = report.error().map(error -> CrossTrackError.of(error.positionM(), error.driftMps()));
             condition.performance = report.performance();
@@ -179,6 +180,7 @@ final class BoatMessages {
         condition.wayHome.says(telemetry.mode());
         announce(FleetEvent.StatusReported::new);
         if (telemetry.mode() == BoatMode.FLEET_STOP) {
+            condition.stopSeen = true;
             if (!condition.fleetStopped) {
                 condition.fleetStopped = true;
                 driver.abandon(FLEET_STOP);

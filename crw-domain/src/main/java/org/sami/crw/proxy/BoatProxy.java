@@ -434,6 +434,9 @@ public final class BoatProxy {
 
     /** Whether the boat's motors are stopped until somebody releases them. */
     public StopLatch stop() {
+        if (condition.isStopOverridden()) {
+            return StopLatch.overridden(link.holder().orElse("somebody else"));
+        }
         if (!condition.fleetStopped) {
             return StopLatch.NONE;
         }

@@ -114,6 +114,18 @@ class ExplainTest {
     }
 
     @Test
+    void boatThatSomebodyElseDrivesIsNotSaidToStand() {
+        boat.says(new Welcome("boat1", "b1", Role.OBSERVER, ""));
+        boat.says(new Telemetry(45, 10, 0, 6.6, 90, BoatMode.TELEOPERATION, 1));
+
+        assertThat(boat.proxy.explain().text()).isEqualTo("boat1 moves at 6.6 m/s: another client commands the boat");
+
+        boat.says(new Telemetry(45, 10, 0, 0.3, 90, BoatMode.TELEOPERATION, 2));
+
+        assertThat(boat.proxy.explain().text()).startsWith("boat1 does not move: another client commands the boat");
+    }
+
+    @Test
     void everyCauseIsNamed() {
         assertWhy(Cause.NEVER_ANSWERED, "has not answered yet");
         boat.says(new Goodbye("boat1", "too many clients"));

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import java.util.function.DoubleSupplier;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandMessage;
@@ -60,6 +61,7 @@ final class AutopilotCommands {
             VehicleSnapshot first,
             Executor thread,
             VehicleSettings settings,
+            DoubleSupplier radiusM,
             Consumer<LinkMessage> broadcast,
             Consumer<VehicleFiles.Kept> keep,
             Consumer<String> alarm,
@@ -71,7 +73,7 @@ final class AutopilotCommands {
         motion = first.kind() == VehicleKind.COPTER
                 ? new CopterMotion(base, first, thread)
                 : new VehicleMotion(base, first, thread);
-        paths = new VehiclePaths(base, motion, thread, broadcast, this::remember, alarm, kept);
+        paths = new VehiclePaths(base, motion, thread, radiusM, broadcast, this::remember, alarm, kept);
         aside = new StepAside(name, motion, paths, alarm);
         stoppedBy = kept.stoppedBy();
     }
@@ -92,6 +94,11 @@ final class AutopilotCommands {
             case VehicleMotion.HOLD, "INITIALIZING" -> BoatMode.STOPPED;
             default -> BoatMode.TELEOPERATION;
         };
+    }
+
+    /** Whether the fleet stop is latched and carried out: nothing is sent from here that arms the vehicle. */
+    boolean isLatched() {
+        return !stoppedBy.isEmpty() && !motion.isStopping();
     }
 
     /** Whether the vehicle is still carrying out an order. */

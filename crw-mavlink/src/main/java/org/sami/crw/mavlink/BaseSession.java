@@ -26,6 +26,7 @@ import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.link.WithdrawKeys;
+import org.sami.spn.protocol.Priority;
 
 /**
  * The boat's end of the link to the base in this process: who commands, in which term, and which commands were answered. The same rules as a boat server's
@@ -99,7 +100,12 @@ final class BaseSession implements VehicleConnection.Receiver {
     }
 
     void alarm(String text) {
-        connection.alarm(text);
+        say(Priority.HIGH, text);
+    }
+
+    /** Says something to the operator. */
+    void say(Priority priority, String text) {
+        connection.say(priority, text);
     }
 
     /** Ends the connection: the base says hello again over the next. */
@@ -123,10 +129,14 @@ final class BaseSession implements VehicleConnection.Receiver {
 
     /** Somebody else steers the vehicle: the base observes until its operator takes it back. */
     void takenBy(String who) {
+        boolean isNews = !who.equals(takenBy);
         takenBy = who;
         if (commands) {
             commands = false;
             newest = newest.next("", who);
+            welcome(Role.OBSERVER);
+        } else if (isNews && isGreeted()) { // the same hands, in another state: no appointment of its own
+            newest = new CommandEpoch(Math.max(1, newest.number()), "", who);
             welcome(Role.OBSERVER);
         }
     }
@@ -166,6 +176,9 @@ final class BaseSession implements VehicleConnection.Receiver {
         } else {
             boolean leaves = commands;
             commands = false;
+            if (!takenBy.isEmpty() && newest.clientId().isEmpty()) {
+                newest = newest.next("", takenBy);
+            }
             welcome(Role.OBSERVER);
             if (leaves) {
                 boat.left();

@@ -220,6 +220,11 @@ final class DrivenList {
         completed = false;
     }
 
+    /** The waypoint whose item has a number in the mission of the vehicle; empty where it is none of them. */
+    Optional<Integer> waypointOf(int number) {
+        return Optional.of(itemOf.indexOf(window.item(number))).filter(waypoint -> waypoint >= 0);
+    }
+
     /** The vehicle reports an item of its mission as reached. Returns whether that is progress along the list. */
     boolean reached(int number) {
         int item = window.item(number);

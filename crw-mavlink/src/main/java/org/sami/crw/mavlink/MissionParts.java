@@ -63,6 +63,11 @@ final class MissionParts {
         }
     }
 
+    /** Whether a part is on its way; what the vehicle holds is read back at its end. */
+    boolean isSending() {
+        return sending;
+    }
+
     private void opened(DrivenList list, MissionWindow next) {
         sending = false;
         lastFault = "";

@@ -17,6 +17,8 @@ final class MissionStore {
     static final String ANOTHER = "it drives along another mission than it was given";
 
     private static final int MOST_TRIES = 3;
+    private static final int MOST_READS = 30; // a vehicle refuses them while another station sends it a mission
+    private static final long READ_AGAIN_MS = 1_000;
 
     private final MavlinkBase base;
     private final VehicleId id;
@@ -27,12 +29,17 @@ final class MissionStore {
     private Optional<DrivenList> coming = Optional.empty();
     private int tries;
     private final List<Consumer<Optional<String>>> waiting = new ArrayList<>(); // for what comes
+    private final Consumer<DrivenList> replaced;
+    private int doubts; // how often it may still be read whether the vehicle holds what it was read to hold
+    private boolean isReading;
+    private long readAgainMs;
 
     /**
      * Nothing is known to be held.
      *
      * @param drives whether the vehicle drives along its mission now
      * @param further called when the vehicle holds a further part of a list, with the item at which it had to stop before
+     * @param replaced called when the vehicle is read to hold another mission than the list that it held
      * @param alarm receives faults, in words for the operator
      */
     MissionStore(
@@ -41,17 +48,51 @@ final class MissionStore {
             Executor thread,
             BooleanSupplier drives,
             BiConsumer<DrivenList, Integer> further,
+            Consumer<DrivenList> replaced,
             Consumer<String> alarm) {
         this.base = base;
         this.id = id;
         this.thread = thread;
         this.drives = drives;
+        this.replaced = replaced;
         parts = new MissionParts(base, id, thread, list -> holds(Optional.of(list)), further, alarm);
     }
 
     /** Sends the next part of a long list that the vehicle holds, where it has left enough of it behind. To be called often. */
     void tick(long atMs) {
         held.ifPresent(list -> parts.tick(list, atMs));
+        if (doubts > 0 && atMs >= readAgainMs && !isReading && !isMoving()) {
+            readAgainMs = atMs + READ_AGAIN_MS;
+            held.ifPresentOrElse(this::compare, () -> doubts = 0);
+        }
+    }
+
+    /** Whether a mission is on its way to the vehicle; it is read back at the end of that. */
+    private boolean isMoving() {
+        return coming.isPresent() || parts.isSending();
+    }
+
+    /** The vehicle says that its mission is another: it is read and compared, unless that is about to be done in any case. */
+    void doubt() {
+        if (!isMoving()) {
+            doubts = MOST_READS;
+        }
+    }
+
+    private void compare(DrivenList list) {
+        doubts--;
+        isReading = true;
+        Results.when(
+                base.held(id, HeldKind.MISSION),
+                thread,
+                there -> {
+                    isReading = false;
+                    doubts = 0;
+                    if (holds(Optional.of(list)) && !isMoving() && !list.recognizes(there)) {
+                        replaced.accept(list);
+                    }
+                },
+                why -> isReading = false);
     }
 
     /** Whether the vehicle holds this list. */

@@ -18,10 +18,10 @@ import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Traffic;
 import org.sami.mavlink.base.MavlinkBase;
-import org.sami.mavlink.vehicle.TextSeverity;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
+import org.sami.spn.protocol.Priority;
 
 /**
  * A vehicle as a boat of the base: what it reports becomes what boats say, and the base's commands go to {@link AutopilotCommands}. It lives as long as its link,
@@ -31,6 +31,8 @@ final class VehicleBoat implements BaseSession.Boat {
     private static final System.Logger LOG = System.getLogger(VehicleBoat.class.getName());
     private static final long HEARTBEAT_MS = 900; // so that it comes once a second at least
     private static final long TICK_MS = 100;
+    private static final long FRESH_MS =
+            300; // what is older is passed on no longer: it would hide for a second that the vehicle is silent
     private static final long BATTERY_MS = 10_000;
     private static final double STILL_MPS = 0.1;
 
@@ -46,6 +48,8 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehicleSensors sensors = new VehicleSensors();
     private final VehicleTargets targets;
     private final OtherController others = new OtherController();
+    private final ForeignStart start;
+    private final VehicleTexts texts;
     private Optional<BaseSession> session = Optional.empty();
     private VehicleSnapshot vehicle;
     private long saidMs; // time of the last telemetry
@@ -61,6 +65,8 @@ final class VehicleBoat implements BaseSession.Boat {
         name = "mav" + first.id();
         targets = new VehicleTargets(seen);
         vehicle = first;
+        texts = new VehicleTexts(name);
+        start = new ForeignStart(name, first.armed());
         flies = first.kind() == VehicleKind.COPTER;
         this.files = files;
         settings = new VehicleSettings(base, first.id(), flies, thread, this::reportSettings);
@@ -76,6 +82,7 @@ final class VehicleBoat implements BaseSession.Boat {
                 first,
                 thread,
                 settings,
+                performance::waypointRadiusM,
                 this::broadcast,
                 kept -> keep(files, kept),
                 this::alarm,
@@ -193,13 +200,19 @@ final class VehicleBoat implements BaseSession.Boat {
         if (another || placed) {
             reportSettings();
         }
-        if (taken) {
-            String who = others.who(now, atMs);
-            session.ifPresent(told -> {
-                sayTaken(told, who);
+        String who = others.who(now, atMs);
+        boolean isTheirs = session.filter(told -> !told.takenBy().isEmpty()).isPresent();
+        session.filter(told -> taken).ifPresent(told -> {
+            sayTaken(told, who);
+            told.takenBy(who);
+        });
+        Optional<String> news = start.seen(now, taken || isTheirs, orders.isLatched(), who);
+        session.ifPresent(told -> news.ifPresent(text -> {
+            told.say(Priority.CRITICAL, text);
+            if (isTheirs) {
                 told.takenBy(who);
-            });
-        }
+            }
+        }));
     }
 
     /** Something happened to it. */
@@ -215,11 +228,10 @@ final class VehicleBoat implements BaseSession.Boat {
                 told.end("its autopilot has started again");
             });
         } else if (event instanceof VehicleEvent.Said said) {
-            if (said.text().severity().compareTo(TextSeverity.WARNING) <= 0) {
-                session.ifPresent(
-                        told -> told.alarm(name + " says: " + said.text().text()));
-            }
+            texts.weigh(said.text(), atMs)
+                    .ifPresent(weight -> session.ifPresent(told -> told.say(weight, texts.words(said.text()))));
             others.said(said.text(), atMs);
+            orders.happened(event);
         } else if (event instanceof VehicleEvent.Measured measured) {
             VehicleReports.reading(vehicle, measured.reading(), Math.max(0, atMs))
                     .ifPresent(report -> {
@@ -246,10 +258,12 @@ final class VehicleBoat implements BaseSession.Boat {
             return;
         }
         BaseSession told = session.get();
-        boolean news = vehicle.heardMs() > heardMs; // no heartbeat goes out while the vehicle is silent
-        boolean moved = vehicle.position()
-                .filter(at -> at.heardMs() > positionMs)
-                .isPresent(); // an old position is not repeated as a new one
+        boolean isFresh = atMs - vehicle.heardMs() <= FRESH_MS;
+        boolean news = isFresh && vehicle.heardMs() > heardMs; // no heartbeat goes out while the vehicle is silent
+        boolean moved = isFresh
+                && vehicle.position()
+                        .filter(at -> at.heardMs() > positionMs)
+                        .isPresent(); // an old position is not repeated as a new one
         if (moved && atMs - saidMs >= told.telemetryPeriodMs() - TICK_MS) {
             VehicleReports.telemetry(vehicle, orders.mode(), orders.givesWayTo(), Math.max(0, atMs))
                     .ifPresent(telemetry -> {

@@ -8,6 +8,7 @@ import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.crw.proxy.gateway.GatewayLink;
+import org.sami.spn.protocol.Priority;
 
 /** The base's way to one vehicle, in memory: frames go in, and come out numbered. For the gateway's thread, but for what the base calls. */
 final class VehicleConnection implements GatewayLink {
@@ -57,10 +58,10 @@ final class VehicleConnection implements GatewayLink {
         }
     }
 
-    /** Reports an alarm to the operator. */
-    void alarm(String text) {
+    /** Says something to the operator. */
+    void say(Priority priority, String text) {
         if (!over) {
-            listener.alarm(text);
+            listener.said(priority, text);
         }
     }
 

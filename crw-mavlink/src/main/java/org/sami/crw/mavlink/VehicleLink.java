@@ -20,6 +20,7 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
 /** One MAVLink address with the vehicles that are heard there, and the base's connections to them. For the gateway's thread. */
 final class VehicleLink {
     private static final int EVERY_VEHICLE = 256; // port of an address without a number
+    private static final String ARDUPILOT = "ArduPilot";
     static final long HEARD_MS = 2_000; // a vehicle that was heard within it is there
     private static final long TRY_MS = 4_000;
 
@@ -122,10 +123,23 @@ final class VehicleLink {
     }
 
     private static boolean isCommanded(VehicleSnapshot vehicle) {
-        return switch (vehicle.kind()) {
+        return whyNot(vehicle).isEmpty();
+    }
+
+    /** Why a vehicle is not commanded from here; empty for one that is. */
+    private static Optional<String> whyNot(VehicleSnapshot vehicle) {
+        boolean isOfKind = switch (vehicle.kind()) {
             case BOAT, ROVER, COPTER -> true;
             default -> false;
         };
+        if (!isOfKind) {
+            return Optional.of("vehicle " + vehicle.id() + " is a "
+                    + vehicle.kind().word() + ", and here only boats and copters are commanded");
+        }
+        return vehicle.autopilot().equals(ARDUPILOT)
+                ? Optional.empty()
+                : Optional.of("vehicle " + vehicle.id() + " has the autopilot " + vehicle.autopilot()
+                        + ", and here only " + ARDUPILOT + "'s vehicles are commanded: their modes are known");
     }
 
     private void look(Waiting one, long atMs) {
@@ -135,13 +149,12 @@ final class VehicleLink {
         }
         Optional<VehicleSnapshot> heard = heard(one.connection.address().getPort(), atMs);
         Optional<VehicleBoat> boat = heard.map(vehicle -> boats.get(vehicle.id().system()));
-        if (boat.filter(VehicleBoat::isKnown).isPresent()) {
+        if (boat.filter(VehicleBoat::isKnown).isPresent() && fault().isEmpty()) {
             waiting.remove(one);
             boat.get().connect(one.connection, atMs);
-        } else if (heard.filter(vehicle -> !isCommanded(vehicle)).isPresent()) {
+        } else if (heard.flatMap(VehicleLink::whyNot).isPresent()) {
             waiting.remove(one);
-            one.connection.end("vehicle " + heard.get().id() + " is a "
-                    + heard.get().kind().word() + ", and here only boats and copters are commanded");
+            one.connection.end(heard.flatMap(VehicleLink::whyNot).get());
         } else if (atMs > one.untilMs) {
             waiting.remove(one);
             one.connection.end(whyNot("vehicle " + one.connection.address().getPort(), atMs));
@@ -171,11 +184,19 @@ final class VehicleLink {
         }
     }
 
+    /** What is wrong with the link, such as that only MAVLink 1 is spoken on it. */
+    private Optional<String> fault() {
+        return base.links().stream().findFirst().flatMap(MavlinkLinkReport::fault);
+    }
+
     private String whyNot(String what, long atMs) {
         Optional<MavlinkLinkReport> link = base.links().stream().findFirst();
-        Optional<String> fault = link.flatMap(MavlinkLinkReport::fault);
-        if (fault.isPresent()) {
-            return fault.get();
+        Optional<String> refusal = vehicles.stream()
+                .filter(vehicle -> atMs - vehicle.heardMs() <= HEARD_MS)
+                .flatMap(vehicle -> whyNot(vehicle).stream())
+                .findFirst();
+        if (fault().isPresent() || refusal.isPresent()) {
+            return fault().or(() -> refusal).get();
         }
         String others = vehicles.stream()
                 .filter(vehicle -> atMs - vehicle.heardMs() <= HEARD_MS)
@@ -186,7 +207,9 @@ final class VehicleLink {
                         + why.getKey().words())
                 .sorted()
                 .collect(Collectors.joining());
-        return "no " + what + " is heard there" + (others.isEmpty() ? "" : ", only " + others) + refused;
+        boolean isSilent = link.filter(one -> one.bytes() > 0).isEmpty();
+        String nothing = isSilent ? "; nothing came: is this the port on which it speaks MAVLink, and is it on?" : "";
+        return "no " + what + " is heard there" + nothing + (others.isEmpty() ? "" : ", only " + others) + refused;
     }
 
     /** Whether a vehicle is still carrying out an order. */

@@ -1,9 +1,11 @@
 package org.sami.crw.mavlink;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import java.util.function.DoubleSupplier;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.HeldWaypoints;
@@ -28,17 +30,20 @@ final class VehiclePaths {
     private final VehicleMotion motion;
     private final MissionStore store;
     private final VehicleArrival arrival;
-    private final MissionWatch watch = new MissionWatch();
+    private final MissionWatch watch;
+    private final Consumer<String> alarm;
     private final StalledListDetector gate = new StalledListDetector();
     private final EarlyReports early = new EarlyReports();
     private final Consumer<LinkMessage> broadcast;
     private final Runnable changed;
     private Optional<DrivenList> list;
     private double multiplier = 1;
+    private boolean isForeign; // the mission along which it drives, as was noticed just now
 
     /**
      * The list that an earlier base has given to the vehicle, or none.
      *
+     * @param radiusM within which the vehicle counts a waypoint as reached, in metres
      * @param changed called when another list, or a further part of one, is to be kept for the next base
      * @param alarm receives faults, in words for the operator
      */
@@ -46,6 +51,7 @@ final class VehiclePaths {
             MavlinkBase base,
             VehicleMotion motion,
             Executor thread,
+            DoubleSupplier radiusM,
             Consumer<LinkMessage> broadcast,
             Runnable changed,
             Consumer<String> alarm,
@@ -55,7 +61,16 @@ final class VehiclePaths {
         arrival = new VehicleArrival(motion);
         this.broadcast = broadcast;
         this.changed = changed;
-        store = new MissionStore(base, motion.vehicle().id(), thread, this::isInAuto, this::further, alarm);
+        this.alarm = alarm;
+        watch = new MissionWatch(radiusM);
+        store = new MissionStore(
+                base,
+                motion.vehicle().id(),
+                thread,
+                this::isInAuto,
+                this::further,
+                other -> replaced("it holds another mission than it was given"),
+                alarm);
         list = kept.list().map(upload -> DrivenList.kept(upload, kept.heldTo(), kept.next(), motion.flies()));
     }
 
@@ -89,6 +104,9 @@ final class VehiclePaths {
     }
 
     void happened(VehicleEvent event) {
+        if (event instanceof VehicleEvent.Said said && MissionWatch.isChange(said.text())) {
+            store.doubt();
+        }
         if (!store.holds(list)) {
             return;
         }
@@ -102,7 +120,7 @@ final class VehiclePaths {
     private void drives(VehicleEvent event) {
         boolean further = false;
         if (event instanceof VehicleEvent.ItemReached reached) {
-            further = list.orElseThrow().reached(reached.item());
+            further = isReached(list.orElseThrow(), reached);
         } else if (event instanceof VehicleEvent.ItemCurrent current) {
             further = list.orElseThrow().current(current.item());
         }
@@ -110,6 +128,29 @@ final class VehiclePaths {
             broadcast.accept(progress());
             keepSpeed();
         }
+    }
+
+    private boolean isReached(DrivenList along, VehicleEvent.ItemReached reached) {
+        Optional<Integer> waypoint = along.waypointOf(reached.item());
+        Optional<Double> farM =
+                waypoint.flatMap(index -> watch.tooFarM(along.waypoints().get(index), reached));
+        if (farM.isPresent()) {
+            replaced(String.format(
+                    Locale.ROOT,
+                    "it says that it has reached waypoint %d, and is %.0f m from it",
+                    waypoint.orElseThrow() + 1,
+                    farM.get()));
+            return false;
+        }
+        return along.reached(reached.item());
+    }
+
+    /** What it reports is no progress along the list any longer. */
+    private void replaced(String why) {
+        store.forget();
+        isForeign = true;
+        alarm.accept(
+                "the mission of vehicle " + motion.vehicle().id() + " is not the one of this base any longer: " + why);
     }
 
     /** The items of a mission set the speeds of its legs; a multiplier is set after each of them. */
@@ -146,6 +187,10 @@ final class VehiclePaths {
 
     /** Whether somebody else has just replaced the mission along which it drives. */
     boolean isReplaced(VehicleSnapshot vehicle) {
+        if (isForeign) {
+            isForeign = false;
+            return isTheirs();
+        }
         if (!store.holds(list)) {
             watch.forget();
             return false;
@@ -154,7 +199,11 @@ final class VehiclePaths {
         if (isReplaced) {
             store.forget(); // whoever commands it: what it reports is no progress along the list
         }
-        return isReplaced && (isInAuto() || motion.isAside()) && motion.isOrdered();
+        return isReplaced && isTheirs();
+    }
+
+    private boolean isTheirs() {
+        return (isInAuto() || motion.isAside()) && motion.isOrdered();
     }
 
     void tick(long atMs) {

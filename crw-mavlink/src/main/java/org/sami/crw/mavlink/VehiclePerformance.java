@@ -26,6 +26,7 @@ final class VehiclePerformance {
     private static final List<String> NAMES = List.of(SPEED, CRUISE, TURN, CORNER);
     private static final String FLIGHT_SPEED = "WPNAV_SPEED";
     private static final double CM = 100;
+    private static final double USUAL_RADIUS_M = 2; // ArduPilot's, where it is not read
     private static final double LEAST_MPS = 0.05; // this and the next two are what the link carries
     private static final double MOST_MPS = 50;
     private static final double MOST_RADIUS_M = 1000;
@@ -102,6 +103,11 @@ final class VehiclePerformance {
         boolean news = range.isPresent() && change > NEWS * saidRange.orElse(0);
         saidRange = news ? range : saidRange;
         return news;
+    }
+
+    /** Within which distance of a waypoint it has reached it, in metres. */
+    double waypointRadiusM() {
+        return number(CORNER).orElse(USUAL_RADIUS_M);
     }
 
     private OptionalDouble range() {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -146,6 +147,57 @@ class ArduPilotBoatTest {
             }
             assertThat(world.faults).isEmpty();
         }
+    }
+
+    @Test
+    void whoReplacesTheMissionUnderWayByOneOfAsManyItemsIsNoticedBeforeAnyProgress() throws Exception {
+        assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
+        try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, SPEED, work);
+                GatewayWorld world = new GatewayWorld(work.resolve("vehicles"))) {
+            connect(world);
+            GeoPoint start = start(world);
+            List<GeoPoint> path = List.of(off(start, 15, 0), off(start, 500, 0), off(start, 500, 500));
+            submit(world, FollowPath.of("path", 1, 1, path, Priority.MEDIUM));
+            Await.until(
+                    "it is under way",
+                    MISSION_S,
+                    () -> world.has(FleetEvent.Progressed.class, news -> news.visited() == 1));
+            try (MavlinkBase other = otherStation()) {
+                List<MissionItem> ours = other.held(ID, HeldKind.MISSION).join();
+                double eastDeg = off(start, 0, 93).lonDeg() - start.lonDeg();
+                List<MissionItem> theirs = ours.stream()
+                        .map(item -> item.command() == 16 && item.number() > 0
+                                ? MissionItem.waypoint(item.number(), start.latDeg(), item.lonDeg() + eastDeg, 0, 0)
+                                : item)
+                        .toList();
+
+                assertThat(theirs).hasSameSizeAs(ours);
+                other.replace(ID, HeldKind.MISSION, theirs).join();
+
+                Await.until("it is taken", MISSION_S, () -> world.is(BOAT, boat -> !boat.isCommanding()));
+                assertThat(world.alarms)
+                        .anyMatch(alarm -> alarm.startsWith(BOAT + " is taken by a pilot or another ground station"))
+                        .anyMatch(alarm -> alarm.endsWith("it holds another mission than it was given"));
+                assertThat(world.has(FleetEvent.Progressed.class, news -> news.visited() > 1))
+                        .isFalse();
+                world.tell(BOAT, boat -> boat.handOver().takeCommand());
+                Await.until(
+                        "it has its own path again",
+                        MISSION_S,
+                        () -> isSame(
+                                other.held(ID, HeldKind.MISSION)
+                                        .exceptionally(busy -> List.of())
+                                        .join(),
+                                ours));
+            }
+            assertThat(world.faults).isEmpty();
+        }
+    }
+
+    private static boolean isSame(List<MissionItem> one, List<MissionItem> other) {
+        return one.size() == other.size()
+                && IntStream.range(1, one.size())
+                        .allMatch(number -> one.get(number).isSameAs(other.get(number)));
     }
 
     @Test

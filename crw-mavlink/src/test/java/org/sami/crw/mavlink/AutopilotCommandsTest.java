@@ -2,6 +2,8 @@ package org.sami.crw.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.dronefleet.mavlink.common.MavSeverity;
+import io.dronefleet.mavlink.common.Statustext;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -28,6 +30,7 @@ import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.testing.SmallBoat;
+import org.sami.spn.protocol.Priority;
 
 /** Orders that a later one, the vehicle or another ground station prevents, and impossible reports, on a simulated vehicle. */
 @Timeout(900)
@@ -150,6 +153,80 @@ class AutopilotCommandsTest {
         Await.until("it is noticed that it is taken", client::isObserver);
         client.untilAlarm("mav5 is taken by a pilot or another ground station (AUTO)");
         assertThat(client.ask(new TakeCommand("take", "client.0", 2))).isInstanceOf(Ack.class);
+    }
+
+    /** As many items as the base has given it, all of them elsewhere. */
+    private List<MissionItem> equalCount(double latDeg) {
+        int items = LIST.size() + 4; // home, two speeds, the waypoints, and the item that keeps the place
+        return IntStream.range(0, items)
+                .mapToObj(i -> MissionItem.waypoint(i, latDeg, 10.72 + i * 1e-6, 0, 0))
+                .toList();
+    }
+
+    private void isTakenWithoutProgress() {
+        Await.until("it is noticed that it is taken", client::isObserver);
+        client.untilAlarm("mav5 is taken by a pilot or another ground station (AUTO)");
+        reports();
+        assertThat(client.last(Progress.class).map(Progress::nextIndex)).contains(0);
+        client.takeCommand();
+        assertThat(client.ask(new StartWaypoints("start again", "first", 0))).isInstanceOf(Ack.class);
+        assertThat(boat.mission().uploads()).isEqualTo(2);
+    }
+
+    @Test
+    void missionOfAsManyItemsThatTheVehicleSaysToHaveIsNoticedByReadingItBack() {
+        drive();
+
+        boat.replaceMission(equalCount(45.8)); // out of reach
+
+        isTakenWithoutProgress();
+        assertThat(client.alarms("it holds another mission than it was given")).hasSize(1);
+        assertThat(client.alarms("is taken by")).hasSize(1);
+        assertThat(client.alarms("mission changed")).hasSize(1);
+    }
+
+    @Test
+    void missionOfAsManyItemsOfWhichTheVehicleSaysNothingIsNoticedAtItsFirstWaypoint() {
+        drive();
+
+        boat.ownMission(equalCount(45.69999));
+
+        isTakenWithoutProgress();
+        client.untilAlarm("it says that it has reached waypoint 1, and is ");
+    }
+
+    @Test
+    void ownMissionOfWhichTheVehicleSaysThatItChangedStaysItsOwn() {
+        drive();
+
+        boat.sends(Statustext.builder()
+                .severity(MavSeverity.MAV_SEVERITY_CRITICAL)
+                .text("Auto mission changed, restarted command")
+                .build());
+
+        client.untilAlarm("Auto mission changed");
+        assertThat(client.ask(new ReadBack("read"))) // after the reading that the text has begun
+                .isInstanceOfSatisfying(
+                        HeldWaypoints.class, held -> assertThat(held.listId()).isEqualTo("first"));
+        assertThat(client.isObserver()).isFalse();
+    }
+
+    private void says(MavSeverity severity, String text) {
+        boat.sends(Statustext.builder().severity(severity).text(text).build());
+    }
+
+    @Test
+    void whatItSaysIsAMessageOfItsWeightAndOneHoweverOftenItIsRepeated() {
+        says(MavSeverity.MAV_SEVERITY_INFO, "Mission: 1 WP");
+        says(MavSeverity.MAV_SEVERITY_WARNING, "EKF3 lane switch 1");
+        says(MavSeverity.MAV_SEVERITY_WARNING, "EKF3 lane switch 1");
+        says(MavSeverity.MAV_SEVERITY_NOTICE, "Throttle armed");
+
+        client.untilAlarm("Throttle armed");
+
+        assertThat(client.said("mav5 says: ", Priority.LOW))
+                .containsExactly("mav5 says: Mission: 1 WP", "mav5 says: Throttle armed");
+        assertThat(client.said("mav5 says: ", Priority.HIGH)).containsExactly("mav5 says: EKF3 lane switch 1");
     }
 
     @Test

@@ -29,6 +29,7 @@ final class GatewayWorld implements AutoCloseable, BaseListener {
 
     final List<FleetEvent> events = new CopyOnWriteArrayList<>();
     final List<String> alarms = new CopyOnWriteArrayList<>();
+    final List<LinkAlarm> said = new CopyOnWriteArrayList<>();
     final List<String> faults = new CopyOnWriteArrayList<>();
     private final TcpBase base;
 
@@ -49,6 +50,7 @@ final class GatewayWorld implements AutoCloseable, BaseListener {
 
     @Override
     public void onAlarm(LinkAlarm alarm) {
+        said.add(alarm);
         alarms.add(alarm.text());
     }
 

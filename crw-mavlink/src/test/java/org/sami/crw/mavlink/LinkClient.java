@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.Frame;
@@ -25,12 +26,14 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.mavlink.link.SigningKey;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
 
 /** Commands one vehicle through a gateway by messages of the boat link, each once. */
 final class LinkClient implements AutoCloseable {
     private final List<LinkMessage> said = new CopyOnWriteArrayList<>();
     private final List<String> alarms = new CopyOnWriteArrayList<>();
+    private final List<Priority> priorities = new CopyOnWriteArrayList<>(); // of those
     private final SlowableClock clock = new SlowableClock();
     private final MavlinkGateway gateway;
     private final String address;
@@ -115,6 +118,19 @@ final class LinkClient implements AutoCloseable {
         Await.until("alarm " + words, () -> hasAlarm(words));
     }
 
+    /** The alarms with such words that have come. */
+    List<String> alarms(String words) {
+        return alarms.stream().filter(text -> text.contains(words)).toList();
+    }
+
+    /** The alarms of a priority that begin so, in their order. */
+    List<String> said(String words, Priority priority) {
+        return IntStream.range(0, alarms.size())
+                .filter(i -> priorities.get(i) == priority && alarms.get(i).startsWith(words))
+                .mapToObj(alarms::get)
+                .toList();
+    }
+
     /** Whether an alarm with such words has come. */
     boolean hasAlarm(String words) {
         return alarms.stream().anyMatch(text -> text.contains(words));
@@ -185,7 +201,8 @@ final class LinkClient implements AutoCloseable {
         }
 
         @Override
-        public void alarm(String text) {
+        public void said(Priority priority, String text) {
+            priorities.add(priority);
             alarms.add(text);
         }
 

@@ -21,6 +21,7 @@ import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.mavlink.link.SigningKey;
 import org.sami.mavlink.testing.SmallBoat;
+import org.sami.spn.protocol.Priority;
 
 /** A vehicle that takes only what is signed with the key of its fleet. */
 @Timeout(900)
@@ -86,7 +87,7 @@ class SignedVehicleTest {
         }
 
         @Override
-        public void alarm(String text) {
+        public void said(Priority priority, String text) {
             // none is expected
         }
 

@@ -24,6 +24,7 @@ import org.sami.crw.handler.planning.BoatDemands;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.crw.proxy.status.StopLatch;
 import org.sami.mavlink.testing.SensorMessages;
 import org.sami.mavlink.testing.SmallBoat;
 import org.sami.spn.protocol.Priority;
@@ -214,6 +215,58 @@ class VehicleBoatTest {
         world.tell(BOAT, proxy -> proxy.handOver().takeCommand());
         completes("p3");
         assertThat(boat.mission().uploads()).isEqualTo(1);
+    }
+
+    private boolean hasCritical(String text) {
+        return world.said.stream()
+                .anyMatch(alarm ->
+                        alarm.priority() == Priority.CRITICAL && alarm.text().startsWith(text));
+    }
+
+    @Test
+    void whoArmsItDuringAFleetStopIsNamedAtOnceAndItIsNeverSaidNotToMove() {
+        world.tell(BOAT, BoatProxy::fleetStop);
+        world.until("it is stopped", BOAT, proxy -> proxy.status().mode().equals(Optional.of(BoatMode.FLEET_STOP)));
+        boat.takenByPilot(MANUAL, false);
+        world.until("it is somebody else's", BOAT, proxy -> !proxy.isCommanding());
+        assertThat(world.said).noneMatch(alarm -> alarm.priority() == Priority.CRITICAL);
+
+        boat.takenByPilot(MANUAL, true);
+        boat.claimSpeed(6.6);
+
+        String who = "a pilot or another ground station (MANUAL)";
+        Await.until(
+                "it is told",
+                GatewayWorld.WAIT_S,
+                () -> hasCritical(BOAT + " is armed by " + who + " though it was stopped: it may move"));
+        Await.until(
+                "that it moves, too",
+                GatewayWorld.WAIT_S,
+                () -> hasCritical(BOAT + " moves at 6.6 m/s, armed by " + who));
+        world.until("its state names them", BOAT, proxy -> proxy.stop().equals(StopLatch.overridden(who)));
+        world.until(
+                "it is said to move",
+                BOAT,
+                proxy -> proxy.explain().text().equals(BOAT + " moves at 6.6 m/s: " + who + " commands the boat"));
+
+        world.tell(BOAT, BoatProxy::fleetStop);
+
+        world.until("it is stopped again", BOAT, proxy -> proxy.stop().equals(StopLatch.HERE));
+        assertThat(boat.isArmed()).isFalse();
+    }
+
+    @Test
+    void whoArmsItInTheModeInWhichItWasStoppedIsNamedToo() {
+        world.tell(BOAT, BoatProxy::fleetStop);
+        world.until("it is stopped", BOAT, proxy -> proxy.status().mode().equals(Optional.of(BoatMode.FLEET_STOP)));
+
+        boat.takenByPilot(HOLD, true);
+
+        Await.until(
+                "it is told",
+                GatewayWorld.WAIT_S,
+                () -> hasCritical(
+                        BOAT + " is armed by a pilot or another ground station (HOLD) though it was stopped"));
     }
 
     @Test

@@ -134,9 +134,10 @@ final class FleetSampler {
 
     /** A stop that is on its way to the boat is none yet. */
     private static StopLatch stop(BoatProxy boat) {
+        StopLatch stop = boat.stop();
         boolean confirmed =
                 boat.status().mode().filter(BoatMode.FLEET_STOP::equals).isPresent();
-        return confirmed ? boat.stop() : StopLatch.NONE;
+        return confirmed || stop.where() == StopLatch.Where.OVERRIDDEN ? stop : StopLatch.NONE;
     }
 
     private static OptionalLong heard(BoatProxy boat, Seen known, long now) {

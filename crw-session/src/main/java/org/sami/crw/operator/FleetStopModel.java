@@ -1,9 +1,11 @@
 package org.sami.crw.operator;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -21,6 +23,7 @@ public final class FleetStopModel extends Model<FleetStopState> {
     private final Consumer<Runnable> inbox;
     private final LongSupplier nowMillis;
     private final Map<String, StopLatch> boats = new TreeMap<>(NaturalOrder.INSTANCE);
+    private final Set<String> moving = new HashSet<>(); // though they are stopped
     private List<String> unreached = List.of();
     private boolean everyBoat;
     private long sinceMillis;
@@ -42,7 +45,10 @@ public final class FleetStopModel extends Model<FleetStopState> {
     // ---- on the owner's thread
 
     void seen(BoatSnapshot boat) {
-        if (!boat.stop().equals(boats.put(boat.boat(), boat.stop()))) {
+        boolean moves = boat.stop().where() == StopLatch.Where.OVERRIDDEN
+                && boat.speedMps().orElse(0) > FleetStopState.MOVES_MPS;
+        boolean another = moves ? moving.add(boat.boat()) : moving.remove(boat.boat());
+        if (!boat.stop().equals(boats.put(boat.boat(), boat.stop())) || another) {
             change();
         }
     }
@@ -54,12 +60,14 @@ public final class FleetStopModel extends Model<FleetStopState> {
 
     void gone(String boat) {
         boats.remove(boat);
+        moving.remove(boat);
         change();
     }
 
     /** Forgets all. */
     void clear() {
         boats.clear();
+        moving.clear();
         unreached = List.of();
         everyBoat = false;
         change();
@@ -70,7 +78,7 @@ public final class FleetStopModel extends Model<FleetStopState> {
         if (state.isLatched()) {
             health.report(HealthFault.ofSession(
                             HealthKind.FLEET_STOP,
-                            state.isOfFleet() ? Priority.CRITICAL : Priority.HIGH,
+                            state.isOfFleet() || !state.overridden().isEmpty() ? Priority.CRITICAL : Priority.HIGH,
                             state.words(),
                             state.advice())
                     .withDetails(state.details()));
@@ -87,7 +95,8 @@ public final class FleetStopModel extends Model<FleetStopState> {
         elsewhere.forEach(boat ->
                 by.put(boat, Objects.requireNonNull(boats.get(boat), boat).by()));
         by.values().removeIf(String::isEmpty);
-        boolean latched = everyBoat || !here.isEmpty() || !elsewhere.isEmpty();
+        Map<String, String> overridden = overridden();
+        boolean latched = everyBoat || !here.isEmpty() || !elsewhere.isEmpty() || !overridden.isEmpty();
         if (!latched) {
             sinceMillis = 0;
         } else if (sinceMillis == 0) {
@@ -95,8 +104,25 @@ public final class FleetStopModel extends Model<FleetStopState> {
         }
         return latched
                 ? new FleetStopState(
-                        everyBoat, here, elsewhere, by, of(StopLatch.Where.NOWHERE), neverAnswered(), sinceMillis)
+                        everyBoat,
+                        here,
+                        elsewhere,
+                        by,
+                        overridden,
+                        of(StopLatch.Where.NOWHERE),
+                        neverAnswered(),
+                        sinceMillis)
                 : FleetStopState.NONE;
+    }
+
+    private Map<String, String> overridden() {
+        Map<String, String> words = new TreeMap<>(NaturalOrder.INSTANCE);
+        boats.forEach((boat, stop) -> {
+            if (stop.where() == StopLatch.Where.OVERRIDDEN) {
+                words.put(boat, "is armed by " + stop.by() + (moving.contains(boat) ? ", and moves" : ""));
+            }
+        });
+        return words;
     }
 
     private List<String> neverAnswered() {

@@ -1,14 +1,17 @@
 package org.sami.crw.session;
 
 import java.util.HashSet;
+import java.util.NavigableSet;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.spn.value.NaturalOrder;
 
 /**
  * What comes of an address to which an operator connects: the boat that answers, why it is refused, or that nobody answers and why. For the models' owner, on
@@ -90,6 +93,21 @@ public final class ConnectAttempt {
         };
     }
 
+    /** All boats that came with an address of several vehicles, as far as they have come; else the one that answered. */
+    private String names(String first) {
+        boolean isOfSeveral =
+                address.toString().startsWith("mavlink:") && !address.toString().matches(".*/\\d+");
+        NavigableSet<String> names = new TreeSet<>(NaturalOrder.INSTANCE);
+        names.add(first);
+        if (isOfSeveral) {
+            models.fleet().snapshot().stream()
+                    .map(BoatSnapshot::boat)
+                    .filter(name -> name.startsWith("mav") && !knownBefore.contains(name))
+                    .forEach(names::add);
+        }
+        return String.join(", ", names);
+    }
+
     private String connected(String name) {
         if (knownBefore.contains(name)) {
             return address + " is " + name + ", which is connected already";
@@ -99,7 +117,7 @@ public final class ConnectAttempt {
                 .map(BoatSnapshot::commander)
                 .filter(BoatSnapshot.Commander.SOMEBODY_ELSE::equals)
                 .isPresent();
-        return address + " is connected as " + name
+        return address + " is connected as " + names(name)
                 + (watched ? "; another base commands it, and this one watches" : "");
     }
 }

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkMessage;
@@ -79,8 +80,8 @@ class FleetStopModelTest {
         does(bert, BoatMode.FLEET_STOP);
         models.unreached().show(List.of(new UnreachedBoat("10.0.0.9:11411", "", "connection refused", false, 3, 0)));
         assertThat(state().words())
-                .isEqualTo(
-                        "FLEET STOP: 2 of 3 boats are stopped; nothing moves before the release; 10.0.0.9:11411 has not said so");
+                .isEqualTo("FLEET STOP: 2 of 3 boats are stopped; nothing moves before the release; 10.0.0.9:11411 has"
+                        + " not said so");
         models.unreached().show(List.of());
         assertThat(state().words()).isEqualTo("FLEET STOP: 2 of 2 boats are stopped; nothing moves before the release");
         assertThat(faults()).singleElement().satisfies(entry -> {
@@ -135,6 +136,74 @@ class FleetStopModelTest {
         assertThat(faults()).hasSize(1);
         assertThat(models.fleet().boat("anna").orElseThrow().why().text())
                 .startsWith("anna does not move: it is stopped, not from here, until it is released");
+    }
+
+    private void isTaken(BoatProxy boat, double speedMps) {
+        says(
+                boat,
+                new Welcome(
+                        boat.boatId(),
+                        boat.boatId() + "-boot",
+                        Role.OBSERVER,
+                        "",
+                        "",
+                        true,
+                        Optional.of(new CommandEpoch(2, "", "a pilot (MANUAL)"))));
+        world.nowMillis.addAndGet(1000);
+        says(boat, new Telemetry(45, 10, 0, speedMps, 80, BoatMode.TELEOPERATION, world.nowMillis.get()));
+        world.nowMillis.addAndGet(1000);
+        models.look();
+        world.settle();
+    }
+
+    private SettingsReport stoppedBy(String client) {
+        Gains gains = new Gains(1, 0, 0);
+        return new SettingsReport(gains, gains, 1, LostLinkAction.HOLD, Optional.empty(), Optional.empty(), client);
+    }
+
+    @Test
+    void whoArmsAStoppedVehicleIsNamedFirstAndNothingIsSaidNotToMoveThatDoes() {
+        models.fleetStop().commanded(true);
+        for (BoatProxy boat : List.of(anna, bert)) {
+            boat.fleetStop();
+            says(boat, stoppedBy("base"));
+            does(boat, BoatMode.FLEET_STOP);
+        }
+
+        isTaken(anna, 0);
+        assertThat(state().words())
+                .isEqualTo("FLEET STOP: anna is armed by a pilot (MANUAL); 1 of 2 boats is stopped;"
+                        + " nothing else moves before the release");
+
+        isTaken(anna, 6.6);
+        assertThat(state().words())
+                .isEqualTo("FLEET STOP: anna is armed by a pilot (MANUAL), and moves; 1 of 2 boats is stopped;"
+                        + " nothing else moves before the release");
+        assertThat(state().words("anna")).isEqualTo("it was stopped, and is armed by a pilot (MANUAL), and moves");
+        assertThat(state().advice()).startsWith("Stop it again (F12");
+        assertThat(models.fleet().boat("anna").orElseThrow().why().text())
+                .isEqualTo("anna moves at 6.6 m/s: a pilot (MANUAL) commands the boat");
+        assertThat(faults())
+                .singleElement()
+                .satisfies(entry -> assertThat(entry.severity()).isEqualTo(Priority.CRITICAL));
+
+        does(anna, BoatMode.FLEET_STOP);
+        assertThat(state().words()).isEqualTo("FLEET STOP: 2 of 2 boats are stopped; nothing moves before the release");
+    }
+
+    @Test
+    void vehicleThatAloneWasStoppedAndIsArmedByOthersIsTold() {
+        does(bert, BoatMode.STOPPED);
+        anna.fleetStop();
+        says(anna, stoppedBy("base"));
+        does(anna, BoatMode.FLEET_STOP);
+
+        isTaken(anna, 2);
+
+        assertThat(state().words()).isEqualTo("Stopped, but anna is armed by a pilot (MANUAL), and moves");
+        assertThat(faults())
+                .singleElement()
+                .satisfies(entry -> assertThat(entry.severity()).isEqualTo(Priority.CRITICAL));
     }
 
     @Test

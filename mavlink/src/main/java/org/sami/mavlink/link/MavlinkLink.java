@@ -142,12 +142,10 @@ public final class MavlinkLink implements AutoCloseable {
     public synchronized MavlinkLinkReport report() {
         long bytes = earlierBytes + connected.map(now -> now.in().bytes()).orElse(0L);
         Optional<String> wrong = fault;
-        if (wrong.isEmpty()
-                && state == MavlinkLinkState.OPEN
-                && count.messages() == 0
-                && refused.isEmpty()
-                && bytes > STRANGE_BYTES) {
-            wrong = Optional.of("what comes is no MAVLink: is it the right port, and the right baud rate?");
+        if (wrong.isEmpty() && state == MavlinkLinkState.OPEN && count.messages() == 0) {
+            Optional<String> noise =
+                    Optional.of(StrangePeer.NOISE).filter(words -> refused.isEmpty() && bytes > STRANGE_BYTES);
+            wrong = connected.flatMap(now -> StrangePeer.of(now.in().first())).or(() -> noise);
         } else if (wrong.isEmpty() && firstVersionOnly) {
             wrong = Optional.of(
                     "it speaks MAVLink 1 only; set the autopilot's port to MAVLink 2 (ArduPilot: SERIALn_PROTOCOL 2)");
@@ -220,7 +218,9 @@ public final class MavlinkLink implements AutoCloseable {
                 }
             }
         } catch (IOException e) {
-            return "it broke: " + Objects.requireNonNullElse(e.getMessage(), e.toString());
+            synchronized (this) {
+                return StrangePeer.ended(e, in.first(), count.messages());
+            }
         }
     }
 

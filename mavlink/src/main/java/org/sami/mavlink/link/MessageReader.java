@@ -50,6 +50,11 @@ public final class MessageReader {
         return in.bytes();
     }
 
+    /** The first characters that came, some eight; empty where none came. For any thread. */
+    String first() {
+        return in.first();
+    }
+
     /**
      * Waits for the next packet.
      *

@@ -2,16 +2,19 @@ package org.sami.mavlink.link;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.concurrent.atomic.AtomicLong;
 
 /** Reads as much at once as there is, as the library takes one byte after the other, and counts it. Read by one thread; its count is for any. */
 final class ReadAhead extends InputStream {
     private static final int ROOM = 4_096;
     private static final int BYTE = 0xff;
+    private static final int FIRST = 8;
 
     private final InputStream in;
     private final Runnable beforeWaiting;
     private final byte[] room = new byte[ROOM];
+    private volatile String first = ""; // written by the reading thread alone
     private int next;
     private int end;
     private final AtomicLong bytes = new AtomicLong();
@@ -24,6 +27,11 @@ final class ReadAhead extends InputStream {
     ReadAhead(InputStream in, Runnable beforeWaiting) {
         this.in = in;
         this.beforeWaiting = beforeWaiting;
+    }
+
+    /** The first bytes that came as characters; empty where none came. For any thread. */
+    String first() {
+        return first;
     }
 
     /** How many bytes came. */
@@ -60,6 +68,9 @@ final class ReadAhead extends InputStream {
             }
             next = 0;
             end = came;
+            if (first.isEmpty()) {
+                first = new String(room, 0, Math.min(came, FIRST), StandardCharsets.ISO_8859_1);
+            }
             bytes.addAndGet(came);
         }
         return next == end;

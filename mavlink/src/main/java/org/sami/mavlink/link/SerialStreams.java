@@ -24,13 +24,18 @@ record SerialStreams(SerialPort port) implements LinkStreams {
 
     private static SerialPort find(String device) throws IOException {
         if (device.startsWith("/") && Files.notExists(Path.of(device))) {
-            throw new IOException("there is no port " + device);
+            throw new IOException(missing(device));
         }
         try {
             return SerialPort.getCommPort(device);
         } catch (SerialPortInvalidPortException e) {
-            throw new IOException("there is no port " + device, e);
+            throw new IOException(missing(device), e);
         }
+    }
+
+    private static String missing(String device) {
+        return "there is no port " + device + ": plug the radio in, or take the port that appears when you do (on Linux"
+                + " /dev/ttyUSB0 or /dev/ttyACM0, on Windows COM3, …)";
     }
 
     private static String refusal(String device) {

@@ -26,10 +26,11 @@ record TcpStreams(Socket socket, InputStream in, OutputStream out) implements Li
             return new TcpStreams(socket, socket.getInputStream(), socket.getOutputStream());
         } catch (ConnectException e) {
             socket.close();
-            throw new IOException("nobody listens there", e);
+            throw new IOException("nobody listens there: is the vehicle on, and are host and port right?", e);
         } catch (SocketTimeoutException e) {
             socket.close();
-            throw new IOException("nobody answers within " + CONNECT_MS / 1000 + " s", e);
+            throw new IOException(
+                    "nobody answers within " + CONNECT_MS / 1000 + " s: is this machine in the vehicle's network?", e);
         } catch (IOException e) {
             socket.close();
             throw e;

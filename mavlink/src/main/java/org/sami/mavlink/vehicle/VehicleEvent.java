@@ -1,5 +1,7 @@
 package org.sami.mavlink.vehicle;
 
+import java.util.Optional;
+
 /** Something that happened to a vehicle, as against a state of it, which a {@link VehicleSnapshot} has. */
 public sealed interface VehicleEvent {
     /** Which vehicle. */
@@ -20,8 +22,14 @@ public sealed interface VehicleEvent {
     /** The item of its mission that is carried out, or would be in mode AUTO, is another. */
     record ItemCurrent(VehicleId vehicle, int item) implements VehicleEvent {}
 
-    /** It says that an item of its mission has been reached; it may say so more than once. */
-    record ItemReached(VehicleId vehicle, int item) implements VehicleEvent {}
+    /**
+     * It says that an item of its mission has been reached; it may say so more than once.
+     *
+     * @param at where it said last that it is; empty where it has not
+     * @param heardMs when it said that it reached the item, on the base's clock
+     */
+    record ItemReached(VehicleId vehicle, int item, Optional<VehiclePosition> at, long heardMs)
+            implements VehicleEvent {}
 
     /** A sensor has a value. */
     record Measured(VehicleId vehicle, VehicleReading reading) implements VehicleEvent {}

@@ -95,7 +95,7 @@ final class VehicleRecord {
         } else if (payload instanceof MissionCurrent current && current.seq() < MOST_ITEMS) {
             current(current, events);
         } else if (payload instanceof MissionItemReached reached && reached.seq() < MOST_ITEMS) {
-            events.add(new VehicleEvent.ItemReached(id, reached.seq()));
+            events.add(new VehicleEvent.ItemReached(id, reached.seq(), position, nowMs));
         } else if (payload instanceof Statustext text) {
             parts.take(text, nowMs).forEach(whole -> said(whole, events));
         } else if (payload instanceof CameraFeedback picture) {

@@ -15,6 +15,7 @@ import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletionException;
@@ -133,6 +134,42 @@ class MavlinkBaseTest {
         OutputStream out = socket.getOutputStream();
         out.write(bytes);
         out.flush();
+    }
+
+    private static String faultAt(String answer, boolean closes) throws IOException {
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+                MavlinkBase base = base("mavlink:tcp:127.0.0.1:" + server.getLocalPort());
+                Socket socket = server.accept()) {
+            write(socket, answer.getBytes(StandardCharsets.ISO_8859_1));
+            if (closes) {
+                socket.close();
+            }
+            Await.until("it is said", () -> base.links().get(0).fault().isPresent());
+            return base.links().get(0).fault().orElseThrow();
+        }
+    }
+
+    @Test
+    void whatAnswersInPlaceOfAVehicleIsNamedWithWhatToDo() throws Exception {
+        String ssh = "an SSH server answers there, and no vehicle: look at host and port";
+
+        assertThat(faultAt("SSH-2.0-OpenSSH_9.2\r\n", false)).startsWith(ssh);
+        assertThat(faultAt("SSH-2.0-OpenSSH_9.2\r\n", true)).startsWith(ssh);
+        assertThat(faultAt("HTTP/1.1 400 Bad Request\r\n\r\n", true))
+                .startsWith("a web server answers there, and no vehicle: look at host and port");
+        assertThat(faultAt("", true)).startsWith("what listens there closes the link without a word: look at");
+        assertThat(faultAt("220 mail.local ESMTP\r\n", true))
+                .startsWith("what answers there speaks no MAVLink and closes the link: look at");
+    }
+
+    @Test
+    void portThatIsNotThereIsNamedWithWhatToDo() {
+        try (MavlinkBase base = base("mavlink:serial:/dev/ttyUSB9:57600")) {
+            Await.until("it is said", () -> base.links().get(0).fault().isPresent());
+
+            assertThat(base.links().get(0).fault().orElseThrow())
+                    .startsWith("there is no port /dev/ttyUSB9: plug the radio in");
+        }
     }
 
     @Test

@@ -291,7 +291,7 @@ class VehicleTableTest {
                         new VehicleEvent.ModeChanged(one, "HOLD", "AUTO"),
                         new VehicleEvent.ArmedChanged(one, true),
                         new VehicleEvent.ItemCurrent(one, 2),
-                        new VehicleEvent.ItemReached(one, 2),
+                        new VehicleEvent.ItemReached(one, 2, Optional.empty(), 1_000),
                         new VehicleEvent.Measured(one, new VehicleReading("DO", 8.5, "")),
                         new VehicleEvent.Restarted(one));
         assertThat(only().currentItem()).contains(2);

@@ -80,6 +80,11 @@ public final class SmallBoat implements AutoCloseable {
         link.keyed(fleet);
     }
 
+    /** It speaks MAVLink 1 from now on. */
+    public void speakFirstVersion() {
+        link.speakFirstVersion();
+    }
+
     /** Whether its motors may turn. */
     public synchronized boolean isArmed() {
         return armed;
@@ -108,6 +113,21 @@ public final class SmallBoat implements AutoCloseable {
     /** The mission that it holds. */
     public SmallBoatMission mission() {
         return mission;
+    }
+
+    /** Somebody else has given it this mission, home first. */
+    public synchronized void ownMission(List<MissionItem> items) {
+        mission.put(items.stream()
+                .map(item -> item.message(new VehicleId(system, AUTOPILOT), HeldKind.MISSION))
+                .toList());
+    }
+
+    /** Somebody else has given it this mission, which it says, as ArduPilot's boats do where the items to which they go next change. */
+    public synchronized void replaceMission(List<MissionItem> items) {
+        ownMission(items);
+        for (int i = 0; i < 3; i++) {
+            say("Auto mission changed, restarted command");
+        }
     }
 
     /** How far it is from a place, in metres. */
@@ -193,6 +213,11 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private synchronized void take(Object message) {
+        if (message instanceof CommandLong command
+                && command.command().value() != SEND_EVERY
+                && faults.isIgnoringOrder()) {
+            return;
+        }
         if (message instanceof CommandLong command) {
             boolean known = command(command.command().value(), command.param1(), command.param2());
             if (!faults.isIgnoringSpeeds() || command.command().value() != CHANGE_SPEED) {
@@ -208,7 +233,10 @@ public final class SmallBoat implements AutoCloseable {
             motion.steer(course.yaw(), course.vx());
         } else if (message instanceof ManualControl sticks) {
             motion.sticks(sticks.z(), sticks.y());
-        } else if (!parameters.take(message) && !fence.take(message, bootMs) && !faults.isIgnoringMissions()) {
+        } else if (!parameters.take(message)
+                && !fence.take(message, bootMs)
+                && SmallBoatMission.isAboutMission(message)
+                && faults.mayAnswer()) {
             mission.answers(message).forEach(this::send);
         }
     }
@@ -295,10 +323,14 @@ public final class SmallBoat implements AutoCloseable {
         bootMs += STEP_MS;
         fence.tick(bootMs);
         if (armed && !faults.isStuck()) {
-            motion.step(mode, mission, STEP_MS / 1000.0)
-                    .forEach(item -> send(MissionItemReached.builder().seq(item).build()));
+            motion.step(mode, mission, STEP_MS / 1000.0).forEach(this::reached);
         }
         reports.step(new SmallBoatReports.State(armed, mode, failsafe, fence.isOutside(), bootMs, motion, mission));
+    }
+
+    private void reached(int item) {
+        mission.item(item).ifPresent(place -> reports.passed(place.x(), place.y(), bootMs, motion));
+        send(MissionItemReached.builder().seq(item).build());
     }
 
     private void send(Object payload) {

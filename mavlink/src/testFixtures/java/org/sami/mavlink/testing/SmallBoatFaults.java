@@ -13,6 +13,9 @@ public final class SmallBoatFaults {
     private String whyNotArm = "";
     private boolean cameraJammed;
     private int cameraBusy; // pictures that it refuses
+    private int answers = Integer.MAX_VALUE;
+    private boolean ignoresOrders;
+    private int ignored;
 
     SmallBoatFaults() {}
 
@@ -78,8 +81,36 @@ public final class SmallBoatFaults {
         ignoresMissions = now;
     }
 
-    synchronized boolean isIgnoringMissions() {
-        return ignoresMissions;
+    /** It gives so many answers about missions from now on, and then none. */
+    public synchronized void answersAboutMissions(int most) {
+        answers = most;
+    }
+
+    /** How many answers about missions it still gives. */
+    public synchronized int answersLeft() {
+        return answers;
+    }
+
+    /** Whether it gives one more answer about missions; it is counted. */
+    synchronized boolean mayAnswer() {
+        boolean may = !ignoresMissions && answers > 0;
+        answers -= may ? 1 : 0;
+        return may;
+    }
+
+    /** It neither carries out nor answers orders (mode, arming, item) from now on; or does so again. */
+    public synchronized void ignoresOrders(boolean now) {
+        ignoresOrders = now;
+    }
+
+    synchronized boolean isIgnoringOrder() {
+        ignored += ignoresOrders ? 1 : 0;
+        return ignoresOrders;
+    }
+
+    /** How many orders it has ignored. */
+    public synchronized int ignoredOrders() {
+        return ignored;
     }
 
     /** It refuses this mode from now on. */

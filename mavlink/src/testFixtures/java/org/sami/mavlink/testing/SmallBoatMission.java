@@ -72,6 +72,11 @@ public final class SmallBoatMission {
         items = new ArrayList<>();
     }
 
+    /** One of its items; empty where it has no such one. */
+    Optional<MissionItemInt> item(int number) {
+        return number < items.size() ? Optional.of(items.get(number)) : Optional.empty();
+    }
+
     /** How many items it has, as ArduPilot says it: without home. */
     synchronized int total() {
         return items.isEmpty() ? NO_ITEMS : items.size() - 1;
@@ -132,6 +137,16 @@ public final class SmallBoatMission {
         reached.ifPresent(item -> visited.add(items.get(item)));
         current++;
         return reached;
+    }
+
+    /** Whether a message is one of those by which missions come and go. */
+    static boolean isAboutMission(Object message) {
+        return message instanceof MissionRequestList
+                || message instanceof MissionRequestInt
+                || message instanceof MissionCount
+                || message instanceof MissionWritePartialList
+                || message instanceof MissionClearAll
+                || message instanceof MissionItemInt;
     }
 
     /** What it answers. */

@@ -153,12 +153,23 @@ public final class SmallBoatReports {
                 .build());
     }
 
+    /** It was at a place within this step, from which it may have gone on; in 1e-7 degrees. */
+    synchronized void passed(int lat, int lon, long bootMs, SmallBoatMotion motion) {
+        if (placed && !seldom) {
+            sendPosition(lat, lon, bootMs, claimedMps > 0 ? claimedMps : motion.speed());
+        }
+    }
+
     private void sendPosition(State now) {
         double mps = claimedMps > 0 ? claimedMps : now.armed() ? now.motion().speed() : 0;
+        sendPosition(now.motion().lat(), now.motion().lon(), now.bootMs(), mps);
+    }
+
+    private void sendPosition(int lat, int lon, long bootMs, double mps) {
         send.accept(GlobalPositionInt.builder()
-                .timeBootMs(now.bootMs())
-                .lat(now.motion().lat())
-                .lon(now.motion().lon())
+                .timeBootMs(bootMs)
+                .lat(lat)
+                .lon(lon)
                 .vx((int) (mps * 100))
                 .hdg(9_000)
                 .build());

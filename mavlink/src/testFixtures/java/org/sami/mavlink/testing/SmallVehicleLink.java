@@ -26,6 +26,7 @@ final class SmallVehicleLink implements AutoCloseable {
     private Optional<LinkSigning> signing = Optional.empty();
     private Socket client = new Socket();
     private MavlinkConnection codec;
+    private boolean firstVersion;
 
     /**
      * Listens on a free port.
@@ -56,6 +57,11 @@ final class SmallVehicleLink implements AutoCloseable {
     /** Ignores what is not signed with a key, and signs with it, as ArduPilot does on all ports but the first. */
     synchronized void keyed(SigningKey fleet) {
         signing = Optional.of(new LinkSigning(fleet, Instant::now, LinkSigning.Unsigned.REFUSED));
+    }
+
+    /** Speaks MAVLink 1 from now on. */
+    synchronized void speakFirstVersion() {
+        firstVersion = true;
     }
 
     private synchronized boolean takes(MavlinkMessage<?> message) {
@@ -102,6 +108,8 @@ final class SmallVehicleLink implements AutoCloseable {
                             0,
                             by.nextTime(),
                             by.key().secret());
+                } else if (firstVersion) {
+                    codec.send1(system, AUTOPILOT, payload);
                 } else {
                     codec.send2(system, AUTOPILOT, payload);
                 }

@@ -83,6 +83,7 @@ final class LinkRowReader {
         return switch (row.path("stop").asText()) {
             case "here" -> StopLatch.HERE;
             case "elsewhere" -> StopLatch.elsewhere(row.path("stoppedBy").asText());
+            case "overridden" -> StopLatch.overridden(row.path("stoppedBy").asText());
             default -> StopLatch.NONE;
         };
     }

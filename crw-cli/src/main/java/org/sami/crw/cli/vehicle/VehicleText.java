@@ -89,7 +89,7 @@ final class VehicleText {
         if (link.fault().isEmpty() && !isHeard(link, vehicles)) {
             line.append(
                     link.bytes() == 0
-                            ? "; nothing came"
+                            ? "; nothing came: is this the port on which the vehicle speaks MAVLink, and is it on?"
                             : !link.refused().isEmpty() ? "" : "; no vehicle speaks on it");
         }
         return line.toString();

@@ -172,7 +172,7 @@ public final class BoatNews implements Consumer<FleetEvent> {
                 host.nowMillis(),
                 Ids.NONE,
                 OperatorMessage.Source.DOMAIN,
-                Priority.HIGH,
+                said.priority(),
                 said.text(),
                 said.boatId().isEmpty() ? List.of() : List.of(said.boatId()),
                 ""));

@@ -1,6 +1,7 @@
 package org.sami.crw.proxy.gateway;
 
 import java.net.InetSocketAddress;
+import org.sami.spn.protocol.Priority;
 
 /** A link, or an attempt at one, to a vehicle for which the gateway speaks the boat link. Safe for use by several threads. */
 public interface GatewayLink {
@@ -13,8 +14,8 @@ public interface GatewayLink {
         /** A whole frame of the boat link. */
         void arrived(byte[] frame);
 
-        /** An alarm about the vehicle for the operator. */
-        void alarm(String text);
+        /** A message about the vehicle for the operator. */
+        void said(Priority priority, String text);
 
         /** The vehicle could not be reached, or the link has ended, for a reason in words. Called once; nothing follows. */
         void closed(String why);

@@ -43,6 +43,11 @@ final class Claim {
         return Optional.of(newest).filter(epoch -> own > 0 && epoch.number() > own);
     }
 
+    /** Who was appointed last, as the boat names them; empty where it does not. */
+    Optional<String> holder() {
+        return Optional.of(newest.clientId()).filter(name -> !name.isEmpty());
+    }
+
     /** Whether the boat numbers its commanders; boats of the link of before do not. */
     boolean isNumbered() {
         return numbered;

@@ -1,6 +1,7 @@
 package org.sami.crw.proxy.link;
 
 import java.net.InetSocketAddress;
+import org.sami.spn.protocol.Priority;
 
 /**
  * Something about a link that an operator must know and act on.
@@ -8,8 +9,14 @@ import java.net.InetSocketAddress;
  * @param boatId the boat that is concerned; empty if it is not known
  * @param address where it answers
  * @param text the same in words
+ * @param priority of the message to the operator, where it becomes one
  */
-public record LinkAlarm(Kind kind, String boatId, InetSocketAddress address, String text) {
+public record LinkAlarm(Kind kind, String boatId, InetSocketAddress address, String text, Priority priority) {
+
+    /** One of high priority. */
+    public LinkAlarm(Kind kind, String boatId, InetSocketAddress address, String text) {
+        this(kind, boatId, address, text, Priority.HIGH);
+    }
 
     /** What is wrong. */
     public enum Kind {
@@ -25,7 +32,7 @@ public record LinkAlarm(Kind kind, String boatId, InetSocketAddress address, Str
         LINK_OF_BEFORE,
         /** Boats answer at one address under ever new names; further ones are not taken. */
         EVER_NEW_BOATS,
-        /** The boat itself says what is wrong. */
+        /** The boat itself, or its gateway, says something; its priority says how much it matters. */
         SAID_BY_BOAT
     }
 }

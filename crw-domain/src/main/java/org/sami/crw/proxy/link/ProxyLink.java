@@ -145,6 +145,11 @@ public final class ProxyLink {
         return replaced ? claim.supersededBy() : Optional.empty();
     }
 
+    /** Who was given the command last, as the boat names them: a client, or who took a vehicle without one; empty while that is this base, or where it does not say it. */
+    public Optional<String> holder() {
+        return isCommanding() ? Optional.empty() : claim.holder();
+    }
+
     /** Whether the boat refuses bases that were replaced, and obeys stops of all; boats of the link of before do not. */
     public boolean isNumbered() {
         return claim.isNumbered();

@@ -5,7 +5,7 @@ import java.util.Objects;
 /**
  * Whether a boat's motors are stopped until somebody releases them, and who had that done.
  *
- * @param by the client that had it done, as the boat says; empty where that is this base, or the boat does not say it
+ * @param by the client that had it done, as the boat says; empty where that is this base, or the boat does not say it; of one that is overridden, who armed it
  */
 public record StopLatch(Where where, String by) {
     /** They are not. */
@@ -21,12 +21,19 @@ public record StopLatch(Where where, String by) {
         /** This base. */
         HERE,
         /** Another base, or this one before its restart. */
-        ELSEWHERE
+        ELSEWHERE,
+        /** Somebody; but somebody else has armed the vehicle since, so that it may move. */
+        OVERRIDDEN
     }
 
     public StopLatch {
         Objects.requireNonNull(where, "where");
         Objects.requireNonNull(by, "by");
+    }
+
+    /** It is latched, and somebody armed the vehicle all the same, who is named. */
+    public static StopLatch overridden(String who) {
+        return new StopLatch(Where.OVERRIDDEN, who);
     }
 
     /**

@@ -4,6 +4,7 @@ import java.net.InetSocketAddress;
 import java.util.Optional;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.security.Fingerprint;
+import org.sami.spn.protocol.Priority;
 
 /** One connection to a boat, from the try to connect to its end. Frames that are sent never make the sender wait. */
 interface BoatConnection extends FrameSink {
@@ -22,8 +23,8 @@ interface BoatConnection extends FrameSink {
         /** The address is one of several boats; this is the address of one of them. */
         void found(InetSocketAddress boat);
 
-        /** What answers says that an operator must know this. */
-        void alarm(String text);
+        /** What answers says this to the operator. */
+        void said(Priority priority, String text);
     }
 
     /** Begins to connect. */

@@ -6,6 +6,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.crw.proxy.gateway.BoatGateway;
 import org.sami.crw.proxy.gateway.GatewayLink;
+import org.sami.spn.protocol.Priority;
 
 /** A connection to a vehicle for which a gateway in this process speaks the boat link: frames are handed over in memory, and nobody else can reach it. */
 final class GatewayConnection implements BoatConnection {
@@ -73,8 +74,8 @@ final class GatewayConnection implements BoatConnection {
         }
 
         @Override
-        public void alarm(String text) {
-            owner.alarm(text);
+        public void said(Priority priority, String text) {
+            owner.said(priority, text);
         }
 
         @Override

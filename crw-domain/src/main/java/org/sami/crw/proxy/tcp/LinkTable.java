@@ -19,6 +19,7 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.TrafficRelay;
 import org.sami.crw.proxy.link.LinkAlarm;
+import org.sami.spn.protocol.Priority;
 
 /**
  * The links of a base, and the boat that each carries. When a boat answers at a second address, the first link keeps it while frames arrive there,
@@ -95,11 +96,11 @@ final class LinkTable {
                 .ifPresent(this::drop);
     }
 
-    /** The boat behind a link says something that an operator must know. */
-    void alarm(BoatLink link, String text) {
+    /** The boat behind a link says something to the operator. */
+    void said(BoatLink link, Priority priority, String text) {
         LinkAlarm alarm =
-                new LinkAlarm(LinkAlarm.Kind.SAID_BY_BOAT, link.boatId().orElse(""), link.address(), text);
-        tell("an alarm", () -> listener.onAlarm(alarm));
+                new LinkAlarm(LinkAlarm.Kind.SAID_BY_BOAT, link.boatId().orElse(""), link.address(), text, priority);
+        tell("a message", () -> listener.onAlarm(alarm));
     }
 
     /** A boat of that name is known to be somewhere: its proxy takes commands, which wait until an address leads to the boat. */

@@ -19,6 +19,7 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoArea;
 
 /**
@@ -235,8 +236,8 @@ public final class TcpBase implements AutoCloseable {
             }
 
             @Override
-            public void alarm(String text) {
-                run("an alarm of a boat", () -> links.alarm(link, text));
+            public void said(Priority priority, String text) {
+                run("a message of a boat", () -> links.said(link, priority, text));
             }
         };
     }

@@ -40,7 +40,9 @@ public final class ConnectForm extends JPanel {
         super(new MigLayout("novisualpadding, insets 8 12 12 12, gap 8, fillx, wrap 2", "[grow,fill][]"));
         this.context = context;
         setName("boat-connect-form");
-        JLabel label = new JLabel(context.say("Address of the boat's server, HOST:PORT"));
+        JLabel label = new JLabel(context.say(
+                "Address: HOST:PORT of a boat's server; of vehicles mavlink:udp:14550, mavlink:tcp:HOST:PORT,"
+                        + " mavlink:serial:PORT:BAUD"));
         label.setLabelFor(address);
         address.setName("boat-connect-address");
         connect.setName("boat-connect-do");
@@ -86,7 +88,7 @@ public final class ConnectForm extends JPanel {
     private Optional<String> wrong() {
         String text = address.getText().strip();
         if (text.isEmpty()) {
-            return Optional.of("Type the address, such as 10.0.0.11:11411");
+            return Optional.of("Type the address, such as 10.0.0.11:11411 or mavlink:udp:14550");
         }
         try {
             BoatAddress.parse(text);

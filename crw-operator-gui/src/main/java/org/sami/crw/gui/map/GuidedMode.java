@@ -7,8 +7,10 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.operator.boat.FleetStopState;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.explanation.ExplainedCommand;
 import org.sami.crw.session.GuidedBoats;
@@ -90,7 +92,7 @@ final class GuidedMode {
 
     /** The additional text for a stopped boat: it has its command and does not move. */
     private String before(String boat) {
-        return isStopped(boat) ? "; it is stopped, and nothing moves before the release" : "";
+        return isStopped(boat) ? "; " + context.models().fleetStop().snapshot().words(boat) : "";
     }
 
     /** Withdraws the operator's commands from the selected boats: they continue with those of missions. */
@@ -154,7 +156,18 @@ final class GuidedMode {
     }
 
     private String stopped(List<String> boats) {
-        List<String> stopped = boats.stream().filter(this::isStopped).toList();
+        FleetStopState state = context.models().fleetStop().snapshot();
+        String armed = boats.stream()
+                .filter(state.overridden()::containsKey)
+                .map(boat -> boat + " " + state.overridden().get(boat) + "; ")
+                .collect(Collectors.joining());
+        List<String> stopped = boats.stream()
+                .filter(boat -> isStopped(boat) && !state.overridden().containsKey(boat))
+                .toList();
+        return armed + waits(stopped, boats);
+    }
+
+    private static String waits(List<String> stopped, List<String> boats) {
         return stopped.isEmpty()
                 ? ""
                 : (stopped.equals(boats) ? "stopped" : String.join(", ", stopped) + " stopped")
