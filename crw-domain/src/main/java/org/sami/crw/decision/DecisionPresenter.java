@@ -67,8 +67,7 @@ public final class DecisionPresenter {
     public static DecisionPresentation plain(Decision decision) {
         MarkupReader markups = new MarkupReader(decision.markups());
         List<OfferedOption> options = OfferedOptions.of(decision, markups, List.of(), boat -> "");
-        return of(
-                decision, Asker.UNKNOWN, markups, Optional.empty(), options, List.of(), List.of(), List.of());
+        return of(decision, Asker.UNKNOWN, markups, Optional.empty(), options, List.of(), List.of(), List.of());
     }
 
     private static DecisionPresentation of(

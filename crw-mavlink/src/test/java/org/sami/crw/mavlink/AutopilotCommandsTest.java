@@ -189,7 +189,7 @@ class AutopilotCommandsTest {
     void missionOfAsManyItemsOfWhichTheVehicleSaysNothingIsNoticedAtItsFirstWaypoint() {
         drive();
 
-        boat.ownMission(equalCount(45.69999));
+        boat.mission().put(equalCount(45.69999));
 
         isTakenWithoutProgress();
         client.untilAlarm("it says that it has reached waypoint 1, and is ");

@@ -18,6 +18,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.sami.mavlink.link.SigningKey;
+import org.sami.mavlink.mission.MissionItem;
 
 /**
  * A simulated boat with an autopilot, on TCP on loopback: modes, arming, a mission and single places as ArduPilot's boats have them, without any hydrodynamics.
@@ -115,16 +116,9 @@ public final class SmallBoat implements AutoCloseable {
         return mission;
     }
 
-    /** Somebody else has given it this mission, home first. */
-    public synchronized void ownMission(List<MissionItem> items) {
-        mission.put(items.stream()
-                .map(item -> item.message(new VehicleId(system, AUTOPILOT), HeldKind.MISSION))
-                .toList());
-    }
-
-    /** Somebody else has given it this mission, which it says, as ArduPilot's boats do where the items to which they go next change. */
+    /** Somebody else has given it this mission, home first, and it says so, as ArduPilot's boats do where the items to which they go next change. */
     public synchronized void replaceMission(List<MissionItem> items) {
-        ownMission(items);
+        mission.put(items);
         for (int i = 0; i < 3; i++) {
             say("Auto mission changed, restarted command");
         }
