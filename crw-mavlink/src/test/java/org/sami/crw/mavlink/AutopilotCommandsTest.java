@@ -2,8 +2,6 @@ package org.sami.crw.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.dronefleet.mavlink.common.MavSeverity;
-import io.dronefleet.mavlink.common.Statustext;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -36,6 +34,10 @@ import org.sami.spn.protocol.Priority;
 @Timeout(900)
 class AutopilotCommandsTest {
     private static final int MANUAL = 0;
+    private static final int CRITICAL = 2; // of MAV_SEVERITY
+    private static final int WARNING = 4;
+    private static final int NOTICE = 5;
+    private static final int INFO = 6;
     private static final int HOLD = 4;
     private static final int LOITER = 5;
     private static final int AUTO = 10;
@@ -199,10 +201,7 @@ class AutopilotCommandsTest {
     void ownMissionOfWhichTheVehicleSaysThatItChangedStaysItsOwn() {
         drive();
 
-        boat.sends(Statustext.builder()
-                .severity(MavSeverity.MAV_SEVERITY_CRITICAL)
-                .text("Auto mission changed, restarted command")
-                .build());
+        boat.says(CRITICAL, "Auto mission changed, restarted command");
 
         client.untilAlarm("Auto mission changed");
         assertThat(client.ask(new ReadBack("read"))) // after the reading that the text has begun
@@ -211,16 +210,12 @@ class AutopilotCommandsTest {
         assertThat(client.isObserver()).isFalse();
     }
 
-    private void says(MavSeverity severity, String text) {
-        boat.sends(Statustext.builder().severity(severity).text(text).build());
-    }
-
     @Test
     void whatItSaysIsAMessageOfItsWeightAndOneHoweverOftenItIsRepeated() {
-        says(MavSeverity.MAV_SEVERITY_INFO, "Mission: 1 WP");
-        says(MavSeverity.MAV_SEVERITY_WARNING, "EKF3 lane switch 1");
-        says(MavSeverity.MAV_SEVERITY_WARNING, "EKF3 lane switch 1");
-        says(MavSeverity.MAV_SEVERITY_NOTICE, "Throttle armed");
+        boat.says(INFO, "Mission: 1 WP");
+        boat.says(WARNING, "EKF3 lane switch 1");
+        boat.says(WARNING, "EKF3 lane switch 1");
+        boat.says(NOTICE, "Throttle armed");
 
         client.untilAlarm("Throttle armed");
 

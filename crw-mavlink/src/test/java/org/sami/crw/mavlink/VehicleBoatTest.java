@@ -232,7 +232,7 @@ class VehicleBoatTest {
         assertThat(world.said).noneMatch(alarm -> alarm.priority() == Priority.CRITICAL);
 
         boat.takenByPilot(MANUAL, true);
-        boat.claimSpeed(6.6);
+        boat.reports().claimSpeed(6.6);
 
         String who = "a pilot or another ground station (MANUAL)";
         Await.until(

@@ -180,6 +180,14 @@ public final class SmallBoat implements AutoCloseable {
         send(payload);
     }
 
+    /** It says a text of a severity, from 0 (emergency) to 7 (debug). */
+    public synchronized void says(int severity, String text) {
+        send(Statustext.builder()
+                .severity(EnumValue.create(MavSeverity.class, severity))
+                .text(text)
+                .build());
+    }
+
     /** What it reports of itself. */
     public SmallBoatReports reports() {
         return reports;

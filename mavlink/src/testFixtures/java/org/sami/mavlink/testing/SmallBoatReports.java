@@ -25,6 +25,7 @@ public final class SmallBoatReports {
     private final Consumer<Object> send;
     private boolean silent;
     private boolean beating = true;
+    private MavAutopilot autopilot = MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA;
     private boolean placed = true;
     private boolean seldom;
     private int filter = LOCATED;
@@ -63,6 +64,11 @@ public final class SmallBoatReports {
     /** It reports no more often than a base asks for, from now on: its position four times a second, all else once. */
     public synchronized void seldom() {
         seldom = true;
+    }
+
+    /** It is steered by PX4 from now on, as its heartbeats say. */
+    public synchronized void steeredByPx4() {
+        autopilot = MavAutopilot.MAV_AUTOPILOT_PX4;
     }
 
     /** It sends no heartbeats from now on, or again. */
@@ -145,7 +151,7 @@ public final class SmallBoatReports {
     private void sendHeartbeat(State now) {
         send.accept(Heartbeat.builder()
                 .type(MavType.MAV_TYPE_SURFACE_BOAT)
-                .autopilot(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA)
+                .autopilot(autopilot)
                 .baseMode(now.armed() ? EnumValue.of(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED) : EnumValue.create(0))
                 .customMode(now.mode())
                 .systemStatus(now.failsafe() ? MavState.MAV_STATE_CRITICAL : MavState.MAV_STATE_ACTIVE)
