@@ -59,7 +59,7 @@ enum SamiModule {
     /** Work that several machines divide, in PostgreSQL: at the addresses, and by the connections, of journals there. */
     WORK_POSTGRES("work-postgres", 10, List.of("org.sami.work.postgres.."), List.of(JOURNAL_POSTGRES)),
     /** Two bases of which one replicates the other. */
-    PAIR_POSTGRES("pair-postgres", 20, List.of("org.sami.pair.postgres.."), List.of(JOURNAL_POSTGRES)),
+    PAIR_POSTGRES("pair-postgres", 26, List.of("org.sami.pair.postgres.."), List.of(JOURNAL_POSTGRES)),
     /** Place/transition nets and their analysis: no plan and no boat. */
     PETRI("petri", 140, List.of("org.sami.petri.."), List.of()),
     /** What helps to write plans. */
@@ -124,7 +124,7 @@ enum SamiModule {
     /** A session for several people. */
     SESSION_SERVER(
             "session-server",
-            60,
+            66,
             List.of(
                     "org.sami.session.map..",
                     "org.sami.session.person..",
@@ -161,13 +161,13 @@ enum SamiModule {
                     SPN_CORE,
                     SPN_LANGUAGE)),
     /** Vehicles of other makers: links, what they report, what they hold. No boats of ours, no plans. */
-    MAVLINK("mavlink", 126, List.of("org.sami.mavlink.."), List.of()),
+    MAVLINK("mavlink", 132, List.of("org.sami.mavlink.."), List.of()),
     /** Our boats in ground stations of other makers: a client of the boat's server that speaks MAVLink for it. */
     BOAT_MAVLINK("boat-mavlink", 13, List.of("org.sami.boat.mavlink.."), List.of(MAVLINK, BOAT_SERVER, BOAT_LINK)),
     /** Vehicles of other makers as boats of a base: speaks the boat link for them. */
     CRW_MAVLINK(
             "crw-mavlink",
-            40,
+            48,
             List.of("org.sami.crw.mavlink.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, MAVLINK, BOAT_SERVER, BOAT_LINK, SPN_LANGUAGE)),
     /** The command crw. */

@@ -20,7 +20,7 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.explanation.MissionTitles;
-import org.sami.crw.proxy.file.BoatFiles;
+import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
@@ -208,7 +208,7 @@ public final class Fleet implements FrontFleet {
     }
 
     @Override
-    public BoatFiles files(LinkedBoat boat) {
+    public BoatFileSource files(LinkedBoat boat) {
         return connector.files(boat.address());
     }
 

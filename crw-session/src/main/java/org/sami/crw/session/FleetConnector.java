@@ -8,7 +8,7 @@ import org.sami.crw.area.OperatingArea;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.BoatConnector;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.file.BoatFiles;
+import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
@@ -60,7 +60,7 @@ public interface FleetConnector extends BoatConnector, AutoCloseable {
      *
      * @throws IllegalStateException where boats are reached without links, and {@link #links} names none
      */
-    default BoatFiles files(BoatAddress boat) {
+    default BoatFileSource files(BoatAddress boat) {
         throw new IllegalStateException("boats in this process keep no files");
     }
 

@@ -6,7 +6,7 @@ import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.proxy.explanation.BoatExplanation;
-import org.sami.crw.proxy.file.BoatFiles;
+import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.spn.value.GeoPoint;
 
@@ -34,7 +34,7 @@ public interface FrontFleet {
     CompletionStage<List<LinkedBoat>> linkedBoats();
 
     /** The files that a boat keeps, over a link that is not open yet. */
-    BoatFiles files(LinkedBoat boat);
+    BoatFileSource files(LinkedBoat boat);
 
     /** Takes the command of a boat, whoever had it before. */
     CompletionStage<Void> takeCommand(String boat);

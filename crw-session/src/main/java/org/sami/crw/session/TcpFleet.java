@@ -22,7 +22,7 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.file.BoatFileFetch;
 import org.sami.crw.proxy.file.BoatFileLink;
-import org.sami.crw.proxy.file.BoatFiles;
+import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.file.FileNews;
 import org.sami.crw.proxy.link.LinkAlarm;
 import org.sami.crw.proxy.tcp.BaseListener;
@@ -147,7 +147,7 @@ final class TcpFleet implements FleetConnector {
     }
 
     @Override
-    public BoatFiles files(BoatAddress boat) {
+    public BoatFileSource files(BoatAddress boat) {
         return new BoatFileLink(boat.toSocketAddress(), config.security());
     }
 

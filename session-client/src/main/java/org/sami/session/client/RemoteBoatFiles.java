@@ -13,7 +13,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Supplier;
 import org.sami.boat.link.KeptFile;
-import org.sami.crw.proxy.file.BoatFiles;
+import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.file.FileFetchException;
 import org.sami.crw.session.LinkedBoat;
 
@@ -21,7 +21,7 @@ import org.sami.crw.session.LinkedBoat;
  * The logs of a boat of a session in another process, which its base asks of the boat and gives over HTTP (docs/session-link.md). After a take-over they come from the other base. What is
  * refused fails in the base's words; a lost connection and a boat that the base does not reach may be tried again.
  */
-final class RemoteBoatFiles implements BoatFiles {
+final class RemoteBoatFiles implements BoatFileSource {
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final int OK = 200;
     private static final int UNAUTHORIZED = 401;

@@ -17,7 +17,7 @@ import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.BoatExplanation;
-import org.sami.crw.proxy.file.BoatFiles;
+import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.FrontFleet;
 import org.sami.crw.session.LinkedBoat;
@@ -109,7 +109,7 @@ final class RemoteFleet implements FrontFleet {
     }
 
     @Override
-    public BoatFiles files(LinkedBoat boat) {
+    public BoatFileSource files(LinkedBoat boat) {
         return new RemoteBoatFiles(boat, holder);
     }
 

@@ -14,7 +14,7 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.Fields;
 import org.sami.boat.link.KeptFile;
-import org.sami.crw.proxy.file.BoatFiles;
+import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.file.FileFetchException;
 import org.sami.crw.session.Fleet;
 import org.sami.crw.session.LinkedBoat;
@@ -50,7 +50,7 @@ final class LogHandler extends TicketHandler {
     /** What is asked of a boat. */
     @FunctionalInterface
     private interface Question {
-        byte[] ask(BoatFiles boat) throws IOException;
+        byte[] ask(BoatFileSource boat) throws IOException;
     }
 
     @Override
@@ -108,7 +108,7 @@ final class LogHandler extends TicketHandler {
     }
 
     private void answer(LinkedBoat boat, Question question, Response response, Callback callback) {
-        try (BoatFiles files = fleet.files(boat)) {
+        try (BoatFileSource files = fleet.files(boat)) {
             files.open();
             if (!files.boatId().equals(boat.boat())) {
                 throw new FileFetchException(
@@ -129,7 +129,7 @@ final class LogHandler extends TicketHandler {
         return fault.getMessage() == null ? fault.toString() : fault.getMessage();
     }
 
-    private static byte[] list(BoatFiles boat) throws IOException {
+    private static byte[] list(BoatFileSource boat) throws IOException {
         ObjectNode all = JsonNodeFactory.instance.objectNode();
         ArrayNode files = all.putArray("files");
         for (KeptFile file : boat.list(KeptFile.LOG)) {
@@ -142,7 +142,7 @@ final class LogHandler extends TicketHandler {
     }
 
     /** Fewer bytes where the link breaks after the first: the client asks for what follows. */
-    private static byte[] piece(BoatFiles boat, String name, long from, int most) throws IOException {
+    private static byte[] piece(BoatFileSource boat, String name, long from, int most) throws IOException {
         ByteArrayOutputStream all = new ByteArrayOutputStream();
         while (all.size() < most) {
             byte[] next;

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.sami.spn.engine.net.CompiledProject;
@@ -34,8 +33,8 @@ public final class Engine {
     public static final int DEFAULT_LIVELOCK_LIMIT = 10_000;
 
     private final CompiledProject project;
-    /** Rules between two steps, for the next one of any state; null while a step works with them. */
-    private final AtomicReference<@Nullable Rules> idle = new AtomicReference<>();
+    /** Rules between two steps, for the next one of any state; null while a step works with them. Under this engine's lock. */
+    private @Nullable Rules idle;
 
     /** An engine for the plans of a project; they are compiled here, once. */
     public Engine(Vocabulary vocabulary, Project project) {
@@ -119,14 +118,24 @@ public final class Engine {
 
     /** The rules that have something left to do for a state; else those that are idle; new ones while another thread works with those. */
     private Rules rulesFor(EngineState state) {
-        Rules rules = state.unfinished() != null ? state.unfinished() : idle.getAndSet(null);
+        Rules rules = state.unfinished() != null ? state.unfinished() : takeIdle();
         return rules != null ? rules : new Rules(state.net);
+    }
+
+    private synchronized @Nullable Rules takeIdle() {
+        Rules taken = idle;
+        idle = null;
+        return taken;
+    }
+
+    private synchronized void keepIdle(Rules rules) {
+        idle = rules;
     }
 
     private void putBack(Rules rules, EngineState state) {
         if (rules.areDone()) {
             state.keep(null);
-            idle.set(rules);
+            keepIdle(rules);
         } else {
             state.keep(rules);
         }

@@ -28,12 +28,12 @@ public final class BoatFileFetch {
     private static final long[] WAITS_MS = {250, 500, 1000, 2000, 4000};
 
     private final InetSocketAddress address;
-    private final Supplier<BoatFiles> links;
+    private final Supplier<BoatFileSource> links;
     private final FileNews news;
     private final boolean patient;
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition cancelling = lock.newCondition();
-    private Optional<BoatFiles> current = Optional.empty(); // this and the next are guarded by the lock
+    private Optional<BoatFileSource> current = Optional.empty(); // this and the next are guarded by the lock
     private boolean cancelled;
     private boolean progressed; // this and the next are for the fetching thread
     private long bytes; // of all links of this fetch
@@ -55,7 +55,7 @@ public final class BoatFileFetch {
     }
 
     private interface Work {
-        Result on(BoatFiles link) throws IOException;
+        Result on(BoatFileSource link) throws IOException;
     }
 
     /**
@@ -73,7 +73,7 @@ public final class BoatFileFetch {
      * @param links makes a link to the boat that is not open yet, for each try
      * @param patient whether it tries again until it is cancelled, however long the boat is not reached
      */
-    BoatFileFetch(InetSocketAddress address, Supplier<BoatFiles> links, FileNews news, boolean patient) {
+    BoatFileFetch(InetSocketAddress address, Supplier<BoatFileSource> links, FileNews news, boolean patient) {
         this.address = Objects.requireNonNull(address, "address");
         this.links = Objects.requireNonNull(links, "links");
         this.news = Objects.requireNonNull(news, "news");
@@ -167,7 +167,7 @@ public final class BoatFileFetch {
         });
     }
 
-    private void checkBoat(BoatFiles link, String boatId) throws FileFetchException {
+    private void checkBoat(BoatFileSource link, String boatId) throws FileFetchException {
         if (!link.boatId().equals(boatId)) {
             throw new FileFetchException("at " + address.getHostString() + ":" + address.getPort() + " answers "
                     + link.boatId() + ", not " + boatId);
@@ -183,11 +183,11 @@ public final class BoatFileFetch {
         return bytes;
     }
 
-    private Result result(BoatFiles link, List<Path> files, List<String> refused) {
+    private Result result(BoatFileSource link, List<Path> files, List<String> refused) {
         return new Result(link.boatId(), files, bytes, refused);
     }
 
-    private Path fetch(BoatFiles link, KeptFile file, Path folder) throws IOException {
+    private Path fetch(BoatFileSource link, KeptFile file, Path folder) throws IOException {
         FileCopy copy = new FileCopy(file, folder);
         copy.fetch(link, (here, piece) -> {
             bytes += piece;
@@ -208,7 +208,7 @@ public final class BoatFileFetch {
         int failures = 0;
         while (true) {
             progressed = false;
-            try (BoatFiles link = begin()) {
+            try (BoatFileSource link = begin()) {
                 link.open();
                 return work.on(link);
             } catch (FileFetchException | LinkRefusedException e) {
@@ -229,11 +229,11 @@ public final class BoatFileFetch {
         }
     }
 
-    private BoatFiles begin() throws IOException {
+    private BoatFileSource begin() throws IOException {
         lock.lock();
         try {
             checkCancelled();
-            BoatFiles next = links.get();
+            BoatFileSource next = links.get();
             current = Optional.of(next);
             return next;
         } finally {

@@ -34,7 +34,7 @@ import org.sami.boat.link.security.LinkSecurity;
 import org.sami.boat.link.security.SecureLink;
 
 /** A boat's files over a link to the boat itself, over TCP. It observes, and commands nothing. */
-public final class BoatFileLink implements BoatFiles {
+public final class BoatFileLink implements BoatFileSource {
     private static final int WITHIN_MS = 10_000;
     private static final int MOST_FILES = 100_000;
     private static final String NOT_OPEN = "the link is not open";

@@ -56,7 +56,7 @@ final class FileCopy {
      * @throws IOException if the link breaks; what has come is kept
      * @throws FileFetchException if the boat does not give it, or something else than it listed
      */
-    void fetch(BoatFiles link, Arrival arrival) throws IOException {
+    void fetch(BoatFileSource link, Arrival arrival) throws IOException {
         if (isHere()) {
             return;
         }
@@ -87,7 +87,7 @@ final class FileCopy {
         Files.move(part, whole, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     }
 
-    private void append(BoatFiles link, Arrival arrival) throws IOException {
+    private void append(BoatFileSource link, Arrival arrival) throws IOException {
         long here = Files.exists(part) ? Files.size(part) : 0;
         try (OutputStream out = Files.newOutputStream(part, StandardOpenOption.CREATE, StandardOpenOption.APPEND)) {
             while (here < wanted.bytes()) {

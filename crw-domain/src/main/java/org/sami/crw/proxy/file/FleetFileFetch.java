@@ -56,7 +56,7 @@ public final class FleetFileFetch {
     }
 
     private FleetFileFetch(
-            List<BoatAddress> addresses, Function<BoatAddress, BoatFiles> links, FileNews news, boolean patient) {
+            List<BoatAddress> addresses, Function<BoatAddress, BoatFileSource> links, FileNews news, boolean patient) {
         for (BoatAddress address : addresses) {
             fetches.put(
                     address, new BoatFileFetch(address.toSocketAddress(), () -> links.apply(address), news, patient));
@@ -69,7 +69,7 @@ public final class FleetFileFetch {
      * @param links makes a link to a boat that is not open yet, for each try; called by several threads, as the news are
      */
     public static FleetFileFetch untilCancelled(
-            List<BoatAddress> addresses, Function<BoatAddress, BoatFiles> links, FileNews news) {
+            List<BoatAddress> addresses, Function<BoatAddress, BoatFileSource> links, FileNews news) {
         return new FleetFileFetch(addresses, links, news, true);
     }
 

@@ -15,7 +15,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.sami.boat.link.KeptFile;
-import org.sami.crw.proxy.file.BoatFiles;
+import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.file.FileNews;
 import org.sami.crw.proxy.file.FleetFileFetch;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -27,7 +27,7 @@ import org.sami.crw.session.LinkedBoat;
  */
 public final class LogFetch {
     private final Executor front;
-    private final Function<LinkedBoat, BoatFiles> files;
+    private final Function<LinkedBoat, BoatFileSource> files;
     private final Runnable changed;
     private final Map<BoatAddress, LogRow> rows = new LinkedHashMap<>();
     private final Map<BoatAddress, Function<LogRow, LogRow>> news =
@@ -44,7 +44,7 @@ public final class LogFetch {
      * @param files makes a link to a boat for its files, such as {@code fleet()::files}; from any thread
      * @param changed is called on the front after each change
      */
-    public LogFetch(Executor front, Function<LinkedBoat, BoatFiles> files, Runnable changed) {
+    public LogFetch(Executor front, Function<LinkedBoat, BoatFileSource> files, Runnable changed) {
         this.front = Objects.requireNonNull(front, "front");
         this.files = Objects.requireNonNull(files, "files");
         this.changed = Objects.requireNonNull(changed, "changed");

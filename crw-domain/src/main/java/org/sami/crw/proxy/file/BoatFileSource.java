@@ -8,7 +8,7 @@ import org.sami.boat.link.KeptFile;
 /**
  * The files that one boat keeps, over one link to it: the boat's own, or one through a base elsewhere. All calls wait for the boat, until the link breaks or is closed; for one thread, but {@link #close} for any.
  */
-public interface BoatFiles extends Closeable {
+public interface BoatFileSource extends Closeable {
     /**
      * Makes the link; once, before all else.
      *
