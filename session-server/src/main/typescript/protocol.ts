@@ -48,7 +48,7 @@ export interface BoatRow extends Row {
   stopped: boolean;
   alarm?: Severity;
   flies: boolean;
-  stop?: 'here' | 'elsewhere';
+  stop?: 'here' | 'elsewhere' | 'overridden';
   stoppedBy?: string;
 }
 

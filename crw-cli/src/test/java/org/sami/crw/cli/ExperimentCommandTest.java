@@ -247,7 +247,9 @@ class ExperimentCommandTest {
             Plan original = library.projectOf(plan.id())
                     .flatMap(project -> project.plan(plan.id()))
                     .orElseThrow();
-            assertThat(plan).as(plan.id()).isEqualTo(original.withTestCases(List.of()));
+            assertThat(plan)
+                    .as(plan.id())
+                    .isEqualTo(original.withTestCases(List.of()).withQueries(List.of()));
         }
     }
 }

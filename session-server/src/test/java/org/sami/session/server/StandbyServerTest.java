@@ -80,7 +80,7 @@ class StandbyServerTest {
 
         assertThat(page.statusCode()).isEqualTo(200);
         assertThat(page.headers().firstValue("Content-Security-Policy").orElseThrow())
-                .contains("connect-src 'self' ws://127.0.0.1:4711;");
+                .contains("connect-src 'self' ws://127.0.0.1:4711 http://127.0.0.1:4711;");
     }
 
     @Test
