@@ -22,7 +22,7 @@ final class Lease implements AutoCloseable {
     private static final int ANSWER_SECONDS = 2;
     private static final String NO_ANSWER = "the database does not answer in time";
 
-    /** An answer that takes longer is told: twice what a renewal takes with its pause. */
+    /** An answer that takes longer is told. A renewal that waits for a standby takes a quarter of that now and then. */
     private static final Duration SLOW = Duration.ofSeconds(1);
 
     private final PostgresAddress address;
@@ -33,6 +33,7 @@ final class Lease implements AutoCloseable {
     private final Future<?> renewals;
     private @Nullable Connection connection; // for whoever renews
     private volatile long validUntilNanos;
+    private volatile Optional<Long> openSinceNanos = Optional.empty(); // when the request was made that is not answered
     private volatile Optional<String> superseded = Optional.empty();
     private volatile Optional<String> failed = Optional.empty(); // why the last renewal did not come about
 
@@ -178,13 +179,14 @@ final class Lease implements AutoCloseable {
                 : Optional.empty();
     }
 
-    /** Why it may soon be over: renewals fail, or are not answered for a second. Empty while they are, and where it is over already. */
+    /** Why it may soon be over: renewals fail, or one is not answered for a second. Empty while they are, and where it is over already. */
     Optional<String> warning() {
         if (lost().isPresent()) {
             return Optional.empty();
         }
-        long age = nanos.getAsLong() - validUntilNanos + terms.ownLimit().toNanos();
-        return failed.or(() -> age > SLOW.toNanos() ? Optional.of(NO_ANSWER) : Optional.empty());
+        Optional<Long> asked = openSinceNanos;
+        boolean late = asked.isPresent() && nanos.getAsLong() - asked.get() > SLOW.toNanos();
+        return failed.or(() -> late ? Optional.of(NO_ANSWER) : Optional.empty());
     }
 
     private synchronized void renew() {
@@ -192,6 +194,7 @@ final class Lease implements AutoCloseable {
             return;
         }
         Connection used = connection;
+        openSinceNanos = Optional.of(nanos.getAsLong());
         try {
             if (used == null) {
                 used = Connections.toRenew(address, ANSWER_SECONDS);
@@ -204,6 +207,8 @@ final class Lease implements AutoCloseable {
                 Connections.drop(used);
             }
             connection = null;
+        } finally {
+            openSinceNanos = Optional.empty();
         }
     }
 

@@ -22,6 +22,7 @@ final class LeaseWatch {
     private final PostgresAddress address;
     private final Taking taking;
     private final LongSupplier nanos;
+    private final long forgetAfterNanos;
     private final OtherSessions others;
     private final LeaseObservation observation;
     private final Consumer<String> lines;
@@ -29,6 +30,7 @@ final class LeaseWatch {
     private boolean answered;
     private boolean promoted;
     private Optional<Long> followsSince = Optional.empty();
+    private Optional<Long> lookedNanos = Optional.empty();
 
     /** How a lease that is over is taken. */
     interface Taking {
@@ -49,6 +51,7 @@ final class LeaseWatch {
     LeaseWatch(PostgresAddress address, LeaseTerms terms, LongSupplier nanos, Taking taking, Consumer<String> lines) {
         this.address = address;
         this.nanos = nanos;
+        this.forgetAfterNanos = terms.length().toNanos() / 2;
         this.others = new OtherSessions(address, terms.length());
         this.observation = new LeaseObservation(terms.length());
         this.taking = taking;
@@ -72,7 +75,7 @@ final class LeaseWatch {
                 if (!answered) {
                     throw DatabaseFaults.of(address, 0, "cannot be read", fault);
                 }
-                observation.forget();
+                forget();
                 say("the database does not answer: " + DatabaseFaults.words(fault));
                 pause();
             }
@@ -110,24 +113,35 @@ final class LeaseWatch {
     }
 
     private boolean mayTake(LeaseTable.Holder holder, Connection connection) throws SQLException {
-        Optional<String> other = others.live(connection, nanos.getAsLong());
-        if (!isOver(holder, connection)) {
+        long now = nanos.getAsLong();
+        if (lookedNanos.isPresent() && now - lookedNanos.get() > forgetAfterNanos) {
+            forget(); // the machine slept
+        }
+        lookedNanos = Optional.of(now);
+        boolean follows = isOfNow(connection, now);
+        Optional<String> other = others.live(connection, follows, now);
+        if (!isOver(holder, now, follows)) {
             return false;
         }
         if (other.isEmpty() || !isReplica(connection)) {
             return true;
         }
-        say("the session " + other.get()
-                + " of this pair goes on at the other base: this one's replica stays a replica");
+        say(other.get() + ": this one's replica stays a replica");
         return false;
+    }
+
+    private void forget() {
+        observation.forget();
+        others.forget();
+        followsSince = Optional.empty();
     }
 
     private static boolean isReplica(Connection connection) throws SQLException {
         return Connections.text(connection, "SELECT pg_is_in_recovery()").equals("t");
     }
 
-    private boolean isOver(LeaseTable.Holder holder, Connection connection) throws SQLException {
-        return switch (observation.look(holder, nanos.getAsLong(), isOfNow(connection))) {
+    private boolean isOver(LeaseTable.Holder holder, long now, boolean follows) {
+        return switch (observation.look(holder, now, follows)) {
             case OVER -> true;
             case HELD -> {
                 say("the session is held by " + holder.words());
@@ -149,13 +163,12 @@ final class LeaseWatch {
     }
 
     /** Whether the database is up to date: it is no replica, or a replica that has received and applied changes for a while. */
-    private boolean isOfNow(Connection connection) throws SQLException {
+    private boolean isOfNow(Connection connection, long now) throws SQLException {
         boolean follows = Connections.text(
                         connection,
                         "SELECT NOT pg_is_in_recovery() OR coalesce((SELECT status = 'streaming'"
                                 + " AND pg_last_wal_replay_lsn() >= latest_end_lsn FROM pg_stat_wal_receiver), false)")
                 .equals("t");
-        long now = nanos.getAsLong();
         if (!follows) {
             followsSince = Optional.empty();
         } else if (followsSince.isEmpty()) {

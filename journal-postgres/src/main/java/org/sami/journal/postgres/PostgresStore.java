@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.sql.Connection;
 import java.sql.PreparedStatement;
 import java.sql.SQLException;
-import java.time.InstantSource;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -29,10 +28,7 @@ public final class PostgresStore implements JournalStore {
 
     /** With the terms of a session, for this process. */
     public PostgresStore() {
-        this(
-                LeaseTerms.STANDARD,
-                ProcessName.ofThisProcess(),
-                new ElapsedTime(System::nanoTime, InstantSource.system()));
+        this(LeaseTerms.STANDARD, ProcessName.ofThisProcess(), ElapsedTime.ofThisMachine());
     }
 
     /**

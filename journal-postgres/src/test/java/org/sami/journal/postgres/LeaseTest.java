@@ -13,9 +13,11 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.Set;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -102,15 +104,40 @@ class LeaseTest {
     }
 
     @Test
-    void aBaseIsWarnedOfADatabaseThatIsLateBeforeItsLeaseIsOver() throws Exception {
+    void aBaseIsWarnedOfARenewalThatIsNotAnsweredForASecondBeforeItsLeaseIsOver() throws Exception {
         AtomicLong nanos = new AtomicLong();
-        PostgresStore store = Journals.base("laptop-1", Journals.OWN_LIMIT, nanos::get);
+        AtomicInteger readings = new AtomicInteger();
+        CountDownLatch begun = new CountDownLatch(1);
+        CountDownLatch answered = new CountDownLatch(1);
+        PostgresStore store = Journals.base("laptop-1", Duration.ofMillis(50), () -> {
+            if (Thread.currentThread().getName().startsWith("journal-lease") && readings.incrementAndGet() == 2) {
+                begun.countDown(); // its first reading began the renewal, which stands still here
+                awaitQuietly(answered);
+            }
+            return nanos.get();
+        });
         try (StoredJournal journal = store.create(address, Journals.HEADER, JournalOptions.DEFAULT)) {
+            begun.await();
             nanos.addAndGet(Duration.ofMillis(900).toNanos());
             assertThat(journal.warning()).isEmpty();
             nanos.addAndGet(Duration.ofMillis(200).toNanos());
             assertThat(journal.warning()).contains("the database does not answer in time");
             journal.check(); // it may still write
+
+            answered.countDown();
+            while (journal.warning().isPresent()) {
+                Thread.onSpinWait();
+            }
+        }
+    }
+
+    @Test
+    void aBaseIsNotWarnedWhileNoRenewalIsUnderWayHoweverLongTheLastOneTook() throws Exception {
+        AtomicLong nanos = new AtomicLong();
+        PostgresStore store = Journals.base("laptop-1", Journals.OWN_LIMIT, nanos::get);
+        try (StoredJournal journal = store.create(address, Journals.HEADER, JournalOptions.DEFAULT)) {
+            nanos.addAndGet(Duration.ofMillis(1600).toNanos());
+            assertThat(journal.warning()).isEmpty();
 
             nanos.addAndGet(Journals.OWN_LIMIT.toNanos());
             assertThatThrownBy(journal::check).hasMessageContaining("its lease is over");
@@ -119,6 +146,14 @@ class LeaseTest {
                     .isEmpty();
             journal.recover();
             assertThat(journal.warning()).isEmpty();
+        }
+    }
+
+    private static void awaitQuietly(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
         }
     }
 

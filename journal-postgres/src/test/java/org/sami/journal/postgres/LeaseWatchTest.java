@@ -16,6 +16,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -160,6 +162,40 @@ class LeaseWatchTest {
                 assertThat(taken.epoch()).isEqualTo(first.epoch() + 2);
             }
         }
+    }
+
+    /** As after the lid of a laptop was opened: what its replica says of the other base is old then. */
+    @Test
+    void aStandbyWhoseMachineSleptBetweenItsLooksDoesNotTakeWhatIsGivenBack() throws Exception {
+        TestServer.run(address, "CREATE ROLE of_a_pair SUPERUSER LOGIN");
+        TestServer.run(address, "ALTER ROLE of_a_pair SET " + PairSetting.NAME + " = '" + PairSetting.ALONE + "'");
+        Journals.create("laptop-1", address).close();
+        PostgresAddress parsed = PostgresAddress.parse(address.replace("user=postgres", "user=of_a_pair"));
+        int sleeps = 4;
+        AtomicInteger looks = new AtomicInteger();
+        AtomicLong nanos = new AtomicLong();
+        AtomicInteger looksUntilTaken = new AtomicInteger();
+        LeaseWatch watch = new LeaseWatch(
+                parsed,
+                LeaseTerms.STANDARD,
+                () -> nanos.addAndGet(looks.incrementAndGet() <= sleeps ? 30_000_000_000L : 400_000_000),
+                new LeaseWatch.Taking() {
+                    @Override
+                    public Optional<Lease> takeIfFree() {
+                        throw new AssertionError("this database is of a pair");
+                    }
+
+                    @Override
+                    public Optional<Lease> takeSeen(LeaseTable.Holder seen) throws SQLException {
+                        looksUntilTaken.set(looks.get());
+                        return Lease.takeSeen(parsed, LeaseTerms.STANDARD, "laptop-2", System::nanoTime, seen);
+                    }
+                },
+                lines::add);
+
+        watch.await().close();
+
+        assertThat(looksUntilTaken.get()).as("it followed for 2 s while awake").isEqualTo(sleeps + 5);
     }
 
     private PostgresJournal journal(String name, BlockingQueue<String> said) {

@@ -54,7 +54,8 @@ public final class PairDatabase {
 
     /** Starts it, and waits until it answers. It runs on when this process ends. */
     public void start() throws IOException {
-        String options = "-c listen_addresses=" + settings.listenAt() + " -c port=" + settings.port();
+        String options = "-c listen_addresses=" + settings.listenAt() + " -c port=" + settings.port()
+                + " -c ssl_cert_file=" + argument(folder.certificate()) + " -c ssl_key_file=" + argument(folder.key());
         try {
             run(
                     "the database of this base does not start",
@@ -70,6 +71,11 @@ public final class PairDatabase {
         } catch (PairException fault) {
             throw new PairException(fault.getMessage() + "; its log ends with: " + folder.endOfLog(), fault);
         }
+    }
+
+    /** A path as one word of the shell to which pg_ctl gives options. Pairs of earlier builds lack these settings in their files. */
+    private static String argument(Path path) {
+        return "'" + path.toString().replace("'", "'\\''") + "'";
     }
 
     /** Has it read its settings and its access list again; connections go on. */

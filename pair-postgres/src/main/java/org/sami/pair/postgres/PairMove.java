@@ -68,15 +68,42 @@ public final class PairMove {
         PairSettings before = folder.settings();
         PairMove move = new PairMove(folder, before, before.at(here, other));
         move.checkIsHere();
-        PairDatabase database = new PairDatabase(folder, Programs.of(folder), move.after);
-        if (database.isRunning()) {
+        Programs programs = Programs.of(folder);
+        PairDatabase database = new PairDatabase(folder, programs, move.after);
+        boolean wasRunning = database.isRunning();
+        if (wasRunning) {
             move.checkDoesNotCut();
         }
-        new AccessList(folder.data()).replace(move.after);
-        folder.replace(move.after);
-        boolean restarted = move.listen(database);
+        move.write(move.after);
+        boolean restarted;
+        try {
+            restarted = move.listen(database);
+        } catch (PairException fault) {
+            throw move.undone(new PairDatabase(folder, programs, before), wasRunning, fault);
+        }
         move.follow();
         return new Change(before, move.after, restarted, move.link());
+    }
+
+    private void write(PairSettings settings) throws IOException {
+        new AccessList(folder.data()).replace(settings);
+        folder.replace(settings);
+    }
+
+    /** Has the base at its earlier addresses again, as its database does not start at the new one. */
+    private PairException undone(PairDatabase database, boolean wasRunning, PairException fault) throws IOException {
+        write(before);
+        try {
+            if (wasRunning && !database.isRunning()) {
+                database.start();
+            }
+        } catch (PairException silent) {
+            fault.addSuppressed(silent);
+            return new PairException(
+                    fault.getMessage() + "; the addresses are as before, and it does not start with them either",
+                    fault);
+        }
+        return new PairException(fault.getMessage() + "; nothing was changed", fault);
     }
 
     /** A database that listens nowhere does not start. */
@@ -91,18 +118,22 @@ public final class PairMove {
         }
     }
 
-    /** A mistyped address would end the protection of a session. */
+    /** A mistyped address would end the protection of a session; a replica finds a database that went elsewhere no longer. */
     private void checkDoesNotCut() throws PairException {
-        if (after.other().equals(before.other())) {
-            return;
-        }
         boolean connected;
+        boolean isReplica;
         try (Connection own = new PairConnections(folder, before).own()) {
             connected = isConnected(own);
+            isReplica = Replication.isReplica(own);
         } catch (SQLException silent) {
             return; // it is restarted
         }
-        if (connected && look() == Link.SILENT) {
+        if (connected && !isReplica && !after.here().equals(before.here())) {
+            throw new PairException(before.other() + " follows the database of this base at " + before.here()
+                    + ", where it would be no longer; nothing was changed. First, there: end crw serve, then crw pair"
+                    + " stop. Then give this command again, and then, there: crw pair address " + after.here());
+        }
+        if (connected && !after.other().equals(before.other()) && look() == Link.SILENT) {
             throw new PairException("the bases are connected by " + before.other() + ", and no database of this pair"
                     + " answers at " + after.other() + "; nothing was changed. If the other base has that address: "
                     + "there first, crw pair address " + after.here());
@@ -146,7 +177,10 @@ public final class PairMove {
                 Replication.follow(admin, connections.sourceOfReplica());
             }
         } catch (SQLException fault) {
-            throw new PairException("the database of this base: " + DatabaseFaults.words(fault), fault);
+            throw new PairException(
+                    "the database of this base: " + DatabaseFaults.words(fault)
+                            + "; the addresses were changed: give the same command again",
+                    fault);
         }
     }
 

@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.sql.Connection;
 import java.time.Clock;
 import java.util.List;
 import java.util.Map;
@@ -68,10 +71,24 @@ class PairMoveTest {
                 write(journal, 1);
             }
 
+            PairSettings before = bases.first.settings();
+            awaitConnected(bases.first, true);
+            assertThatThrownBy(() -> PairMove.to(bases.first, bases.newAddress, bases.secondAddress))
+                    .as("the replica looks for it at the old address")
+                    .isInstanceOf(PairException.class)
+                    .hasMessageContaining(bases.secondAddress + " follows the database of this base at "
+                            + bases.firstAddress + ", where it would be no longer; nothing was changed")
+                    .hasMessageContaining("crw pair stop")
+                    .hasMessageEndingWith("crw pair address " + bases.newAddress);
+            assertThat(bases.first.settings()).isEqualTo(before);
+
+            PairDatabase.of(bases.second).stop();
+            awaitConnected(bases.first, false);
             PairMove.Change first = PairMove.to(bases.first, bases.newAddress, bases.secondAddress);
 
             assertThat(first.hasRestarted()).isTrue();
-            assertThat(first.link()).as("the replica looks at the old address").isEqualTo(Link.ANSWERS);
+            assertThat(first.link()).isEqualTo(Link.SILENT);
+            PairDatabase.of(bases.second).start();
             PairMove.Change second = PairMove.to(bases.second, bases.secondAddress, bases.newAddress);
             assertThat(second.hasRestarted()).isFalse();
             assertThat(second.link()).isEqualTo(Link.CONNECTED);
@@ -124,6 +141,36 @@ class PairMoveTest {
                             .link())
                     .as("they are not connected any more")
                     .isEqualTo(Link.SILENT);
+        }
+    }
+
+    @Test
+    void aDatabaseThatDoesNotStartAtItsNewAddressGoesOnAtTheEarlierOne() throws Exception {
+        try (TwoBases bases = new TwoBases(root);
+                Socket inTheWay = new Socket()) {
+            bases.make(WhenCut.ALONE);
+            PairSettings before = bases.first.settings();
+            inTheWay.bind(new InetSocketAddress(bases.newAddress, before.port())); // answers nobody
+
+            assertThatThrownBy(() -> PairMove.to(bases.first, bases.newAddress, bases.secondAddress))
+                    .isInstanceOf(PairException.class)
+                    .hasMessageContaining("the database of this base does not start")
+                    .hasMessageEndingWith("; nothing was changed");
+
+            assertThat(bases.first.settings()).isEqualTo(before);
+            assertThat(bases.first.data().resolve("pg_hba.conf"))
+                    .content()
+                    .contains(bases.firstAddress + "/32")
+                    .doesNotContain(bases.newAddress);
+            assertThat(BasePair.open(bases.first).part()).isEqualTo(BasePair.Part.DATABASE);
+        }
+    }
+
+    private static void awaitConnected(PairFolder folder, boolean connected) throws Exception {
+        try (Connection own = new PairConnections(folder, folder.settings()).own()) {
+            while (Replication.standby(own).isConnected() != connected) {
+                Thread.onSpinWait();
+            }
         }
     }
 

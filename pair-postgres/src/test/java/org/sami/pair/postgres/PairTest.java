@@ -124,6 +124,27 @@ class PairTest {
         }
     }
 
+    /** Their certificates stand in no file of PostgreSQL's. */
+    @Test
+    void aPairOfAnEarlierBuildStartsAlsoInAFolderWithABlankAndAQuoteInItsName() throws Exception {
+        Path odd = Files.createDirectories(root.resolve("Anna's two boats"));
+        try (TwoBases bases = new TwoBases(odd)) {
+            bases.make(WhenCut.TAKE_OVER);
+            PairDatabase database = PairDatabase.of(bases.first);
+            database.stop();
+            Path file = bases.first.data().resolve("postgresql.conf");
+            Files.write(
+                    file,
+                    Files.readAllLines(file).stream()
+                            .filter(line -> !line.startsWith("ssl_cert_file") && !line.startsWith("ssl_key_file"))
+                            .toList());
+
+            database.start();
+
+            assertThat(BasePair.open(bases.first).checkedPart()).isEqualTo(BasePair.Part.DATABASE);
+        }
+    }
+
     @Test
     void aFolderThatHoldsSomethingElseIsLeftAsItIs() throws Exception {
         try (TwoBases bases = new TwoBases(root)) {
