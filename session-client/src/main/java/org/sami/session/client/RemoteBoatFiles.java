@@ -3,6 +3,7 @@ package org.sami.session.client;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.net.http.HttpHeaders;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -25,9 +26,12 @@ final class RemoteBoatFiles implements BoatFileSource {
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final int OK = 200;
     private static final int UNAUTHORIZED = 401;
+    private static final int NOT_FOUND = 404;
     private static final int UNAVAILABLE = 503;
     private static final long MOST_BYTES = 16 << 20; // a list of 100,000 files
     private static final int MOST_WORDS = 300;
+    private static final String NO_LINK = "the base has no link to a boat ";
+    private static final String PAGE_WITHOUT = "Nothing is here"; // of a base of before, and of one that stands by
 
     private final LinkedBoat boat;
     private final Supplier<Optional<TicketedBase>> holder;
@@ -38,7 +42,7 @@ final class RemoteBoatFiles implements BoatFileSource {
     /**
      * Logs of a boat.
      *
-     * @param holder the base that holds the session at the time; from any thread
+     * @param holder the base that holds the session at the time, empty while there is no login; from any thread
      */
     RemoteBoatFiles(LinkedBoat boat, Supplier<Optional<TicketedBase>> holder) {
         this.boat = boat;
@@ -61,9 +65,13 @@ final class RemoteBoatFiles implements BoatFileSource {
             throw new FileFetchException("a base gives the logs of its boats, not each " + kind);
         }
         JsonNode answer = JSON.readTree(get("logs?boat=" + TicketedBase.encoded(boat.boat())));
+        JsonNode listed = answer.path("files");
+        if (!listed.isArray()) {
+            throw new FileFetchException("the base answers with no list of logs");
+        }
         List<KeptFile> files = new ArrayList<>();
         try {
-            for (JsonNode one : answer.path("files")) {
+            for (JsonNode one : listed) {
                 files.add(new KeptFile(
                         one.path("name").asText(),
                         KeptFile.LOG,
@@ -83,7 +91,7 @@ final class RemoteBoatFiles implements BoatFileSource {
     }
 
     private byte[] get(String path) throws IOException {
-        TicketedBase from = holder.get().orElseThrow(() -> new IOException("the session is not connected yet"));
+        TicketedBase from = holder.get().orElseThrow(() -> new IOException("the session is not connected now"));
         HttpResponse<byte[]> response;
         try {
             response = begin(from, path).get();
@@ -97,13 +105,21 @@ final class RemoteBoatFiles implements BoatFileSource {
         }
         switch (response.statusCode()) {
             case OK -> {
+                if (!isRead(response.headers())) {
+                    throw new FileFetchException("the base sends more than " + MOST_BYTES
+                            + " bytes at once, or does not say how many: it is not read");
+                }
                 return response.body();
             }
             case UNAUTHORIZED -> throw new IOException("the connection to the session is lost");
             case UNAVAILABLE -> throw new IOException(words(response).orElse("the base is busy with other logs"));
-            default ->
+            default -> {
+                if (response.statusCode() == NOT_FOUND && mayComeLater(from, response)) {
+                    throw new IOException(words(response).orElse("another base takes the session over"));
+                }
                 throw new FileFetchException(words(response)
                         .orElse("the base at " + from.address() + " gives no logs; bring it to this version"));
+            }
         }
     }
 
@@ -120,16 +136,29 @@ final class RemoteBoatFiles implements BoatFileSource {
 
     /** A base sends no more than this; what is longer is not read. */
     private static HttpResponse.BodySubscriber<byte[]> body(HttpResponse.ResponseInfo response) {
-        long bytes = response.headers().firstValueAsLong("Content-Length").orElse(Long.MAX_VALUE);
-        return bytes <= MOST_BYTES
+        return isRead(response.headers())
                 ? HttpResponse.BodySubscribers.ofByteArray()
                 : HttpResponse.BodySubscribers.replacing(new byte[0]);
     }
 
+    private static boolean isRead(HttpHeaders headers) {
+        return headers.firstValueAsLong("Content-Length").orElse(Long.MAX_VALUE) <= MOST_BYTES;
+    }
+
+    /** Whether a 404 is that of a base without a link to the boat yet, or of one that no longer holds the session: the login there has ended or is another by now. */
+    private boolean mayComeLater(TicketedBase asked, HttpResponse<byte[]> response) {
+        boolean another = holder.get().filter(asked::equals).isEmpty();
+        return text(response).startsWith(NO_LINK) || (another && text(response).equals(PAGE_WITHOUT));
+    }
+
+    private static String text(HttpResponse<byte[]> response) {
+        return new String(response.body(), StandardCharsets.UTF_8).strip();
+    }
+
     private static Optional<String> words(HttpResponse<byte[]> response) {
-        String text = new String(response.body(), StandardCharsets.UTF_8).strip();
+        String text = text(response);
         boolean plain = response.headers().firstValue("Content-Type").orElse("").startsWith("text/plain");
-        boolean page = response.statusCode() == 404 && text.equals("Nothing is here"); // of a base of before
+        boolean page = response.statusCode() == NOT_FOUND && text.equals(PAGE_WITHOUT);
         return plain && !text.isEmpty() && text.length() <= MOST_WORDS && !page ? Optional.of(text) : Optional.empty();
     }
 

@@ -39,6 +39,7 @@ final class SessionFollower implements LinkListener {
     private String said = "";
     private volatile SessionAddress base;
     private volatile @Nullable TicketedBase holder; // null before the first login
+    private volatile boolean loggedIn; // there now
     private volatile PersonRights rights = new PersonRights("", Set.of());
 
     /**
@@ -99,9 +100,9 @@ final class SessionFollower implements LinkListener {
         return base;
     }
 
-    /** The base that held the session last, for what comes over HTTP; empty before the first login. From any thread. */
+    /** The base that holds the session, for what comes over HTTP; empty while there is no login. From any thread. */
     Optional<TicketedBase> holder() {
-        return Optional.ofNullable(holder);
+        return Optional.ofNullable(holder).filter(one -> loggedIn);
     }
 
     /** What the person may do, as its server said last. From any thread. */
@@ -119,6 +120,7 @@ final class SessionFollower implements LinkListener {
                 ? before.with(ticket)
                 : TicketedBase.of(base, trust, ticket);
         holder = now;
+        loggedIn = true;
         pictures.from(now);
         ObjectNode follow = ServerRequests.message("follow");
         copy().filter(known -> !known.id().isEmpty())
@@ -155,6 +157,7 @@ final class SessionFollower implements LinkListener {
 
     @Override
     public void lost(String why, String trying) {
+        loggedIn = false;
         disconnected.run();
         say("connection lost (" + why + "), last seen " + lastSeen() + trying);
     }

@@ -3,10 +3,11 @@ package org.sami.session.server;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.LongSupplier;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.http.HttpStatus;
 import org.eclipse.jetty.server.Request;
@@ -14,11 +15,12 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.Fields;
 import org.sami.boat.link.KeptFile;
+import org.sami.boat.link.security.LinkRefusedException;
 import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.file.FileFetchException;
-import org.sami.crw.session.Fleet;
 import org.sami.crw.session.LinkedBoat;
 import org.sami.crw.session.RefusedException;
+import org.sami.crw.session.fault.ThreadGuard;
 import org.sami.session.person.Person;
 import org.sami.session.person.Right;
 
@@ -33,18 +35,55 @@ final class LogHandler extends TicketHandler {
     /** Each waits for one boat; the fetch of a fleet's logs asks several at once. */
     private static final int MOST_BOATS_AT_ONCE = 8;
 
-    private final Fleet fleet;
+    private final LogBoats fleet;
     private final LogNews news;
+    private final LongSupplier nanos;
 
     /**
      * Serves logs.
      *
      * @param news is told who fetches which boat's
+     * @param nanos a clock that only goes on
      */
-    LogHandler(Fleet fleet, Tickets tickets, SessionBases bases, LogNews news) {
-        super(tickets, bases, "session server logs", MOST_BOATS_AT_ONCE);
+    LogHandler(
+            LogBoats fleet,
+            Function<String, Optional<Person>> tickets,
+            SessionBases bases,
+            LogNews news,
+            LongSupplier nanos,
+            ThreadGuard guard) {
+        super(tickets, bases, "session server logs", MOST_BOATS_AT_ONCE, guard);
         this.fleet = fleet;
         this.news = news;
+        this.nanos = nanos;
+    }
+
+    /** Whether somebody waits for an answer still; where not, the link to the boat is closed, which ends each wait for the boat. Safe for use by several threads. */
+    private static final class Waiting {
+        private Optional<BoatFileSource> used = Optional.empty(); // this and the next are guarded by this
+        private boolean over;
+
+        synchronized void use(BoatFileSource files) throws IOException {
+            if (over) {
+                throw new IOException("the client has gone");
+            }
+            used = Optional.of(files);
+        }
+
+        synchronized boolean isOver() {
+            return over;
+        }
+
+        synchronized void end() {
+            over = true;
+            try {
+                if (used.isPresent()) {
+                    used.get().close();
+                }
+            } catch (IOException broken) {
+                // it is closed for us all the same
+            }
+        }
     }
 
     /** What is asked of a boat. */
@@ -55,6 +94,11 @@ final class LogHandler extends TicketHandler {
 
     @Override
     boolean serves(String path) {
+        return isOfLogs(path);
+    }
+
+    /** Whether logs are asked for. */
+    static boolean isOfLogs(String path) {
         return path.equals("/logs") || path.equals("/log");
     }
 
@@ -80,22 +124,32 @@ final class LogHandler extends TicketHandler {
                     callback);
             return;
         }
+        Waiting waiting = new Waiting();
+        request.addFailureListener(fault -> waiting.end());
         Question question = lists
                 ? LogHandler::list
-                : files -> piece(files, name, from.get(), (int) Math.min(MOST_BYTES, most.get()));
-        fleet.linkedBoats().whenComplete((boats, fault) -> {
-            Optional<LinkedBoat> known = fault != null
-                    ? Optional.empty()
-                    : boats.stream().filter(one -> one.boat().equals(boat)).findFirst();
-            if (known.isEmpty()) {
-                say(response, HttpStatus.NOT_FOUND_404, "the base has no link to a boat '" + boat + "'", callback);
-                return;
+                : files -> new TimedPiece(nanos, waiting::isOver)
+                        .read(files, name, from.get(), (int) Math.min(MOST_BYTES, most.get()));
+        fleet.find(boat).whenComplete((found, fault) -> {
+            try {
+                Optional<LinkedBoat> link = fault == null ? found.link() : Optional.empty();
+                if (link.isEmpty()) {
+                    // a base that has just taken over makes its links first
+                    boolean mayCome = fault != null || found.mayCome();
+                    int status = mayCome ? HttpStatus.SERVICE_UNAVAILABLE_503 : HttpStatus.NOT_FOUND_404;
+                    say(response, status, "the base has no link to a boat '" + boat + "'", callback);
+                    return;
+                }
+                if (lists) {
+                    news.fetches(person, boat);
+                }
+                response.getHeaders()
+                        .put(HttpHeader.CONTENT_TYPE, lists ? "application/json" : "application/octet-stream");
+                work(response, callback, () -> answer(link.get(), question, waiting, response, callback));
+            } catch (RuntimeException | Error thrown) { // nobody looks at what comes of this stage
+                callback.failed(thrown);
+                lost(thrown);
             }
-            if (lists) {
-                news.fetches(person, boat);
-            }
-            response.getHeaders().put(HttpHeader.CONTENT_TYPE, lists ? "application/json" : "application/octet-stream");
-            work(response, callback, () -> answer(known.get(), question, response, callback));
         });
     }
 
@@ -107,15 +161,16 @@ final class LogHandler extends TicketHandler {
         return text.matches("[0-9]{1,10}") ? Optional.of(Long.parseLong(text)) : Optional.empty();
     }
 
-    private void answer(LinkedBoat boat, Question question, Response response, Callback callback) {
+    private void answer(LinkedBoat boat, Question question, Waiting waiting, Response response, Callback callback) {
         try (BoatFileSource files = fleet.files(boat)) {
+            waiting.use(files);
             files.open();
             if (!files.boatId().equals(boat.boat())) {
                 throw new FileFetchException(
                         "at " + boat.address() + " answers " + files.boatId() + ", not " + boat.boat());
             }
             send(response, HttpStatus.OK_200, question.ask(files), callback);
-        } catch (FileFetchException refused) {
+        } catch (FileFetchException | LinkRefusedException refused) {
             say(response, HttpStatus.BAD_GATEWAY_502, words(refused), callback);
         } catch (IOException notReached) {
             say(response, HttpStatus.SERVICE_UNAVAILABLE_503, words(notReached), callback);
@@ -139,26 +194,5 @@ final class LogHandler extends TicketHandler {
                     .put("sha256", file.sha256());
         }
         return all.toString().getBytes(StandardCharsets.UTF_8);
-    }
-
-    /** Fewer bytes where the link breaks after the first: the client asks for what follows. */
-    private static byte[] piece(BoatFileSource boat, String name, long from, int most) throws IOException {
-        ByteArrayOutputStream all = new ByteArrayOutputStream();
-        while (all.size() < most) {
-            byte[] next;
-            try {
-                next = boat.piece(name, from + all.size(), most - all.size());
-            } catch (IOException broken) {
-                if (all.size() == 0) {
-                    throw broken;
-                }
-                return all.toByteArray();
-            }
-            if (next.length == 0) {
-                return all.toByteArray();
-            }
-            all.writeBytes(next);
-        }
-        return all.toByteArray();
     }
 }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.http.HttpStatus;
@@ -15,6 +16,7 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.Fields;
 import org.sami.crw.operator.picture.PanoramaPictures;
+import org.sami.crw.session.fault.ThreadGuard;
 import org.sami.picture.photo.PhotoReader;
 import org.sami.session.person.Person;
 
@@ -35,8 +37,12 @@ final class PictureHandler extends TicketHandler {
      *
      * @param taken the pictures that there are; from any thread
      */
-    PictureHandler(Supplier<List<PanoramaPictures>> taken, Tickets tickets, SessionBases bases) {
-        super(tickets, bases, "session server pictures", 1);
+    PictureHandler(
+            Supplier<List<PanoramaPictures>> taken,
+            Function<String, Optional<Person>> tickets,
+            SessionBases bases,
+            ThreadGuard guard) {
+        super(tickets, bases, "session server pictures", 1, guard);
         this.taken = taken;
     }
 

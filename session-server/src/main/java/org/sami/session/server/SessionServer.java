@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.session.Session;
+import org.sami.crw.session.fault.ThreadGuard;
 import org.sami.session.map.TileFile;
 import org.sami.session.person.People;
 
@@ -30,8 +31,15 @@ public final class SessionServer implements AutoCloseable {
                 bases,
                 tickets,
                 System::nanoTime);
-        pictures = new PictureHandler(session.models().pictures()::snapshot, tickets, bases);
-        logs = new LogHandler(session.fleet(), tickets, bases, new LogNews(fronts.news(), System::nanoTime));
+        ThreadGuard guard = session.faults().guard();
+        pictures = new PictureHandler(session.models().pictures()::snapshot, tickets::person, bases, guard);
+        logs = new LogHandler(
+                LogBoats.of(session.fleet()),
+                tickets::person,
+                bases,
+                new LogNews(fronts.news(), System::nanoTime),
+                System::nanoTime,
+                guard);
         server = new PageServer(address, people, bases, map, List.of(pictures, logs), fronts::connect);
     }
 

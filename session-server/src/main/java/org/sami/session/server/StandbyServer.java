@@ -20,7 +20,8 @@ public final class StandbyServer implements AutoCloseable {
     private StandbyServer(People people, ServerAddress address, Optional<TileFile> map, SessionBases bases)
             throws IOException {
         this.bases = bases;
-        server = new PageServer(address, people, bases, map, List.of(), from -> new StandbyFront(message()));
+        server = new PageServer(
+                address, people, bases, map, List.of(new StandbyLogHandler()), from -> new StandbyFront(message()));
     }
 
     /**

@@ -7,6 +7,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.http.HttpMethod;
 import org.eclipse.jetty.http.HttpStatus;
@@ -14,6 +15,7 @@ import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
+import org.sami.crw.session.fault.ThreadGuard;
 import org.sami.session.person.Person;
 
 /**
@@ -25,17 +27,28 @@ abstract class TicketHandler extends Handler.Wrapper implements AutoCloseable {
     private static final int MOST_WAITING = 100;
     private static final int IDLE_S = 10;
 
-    private final Tickets tickets;
+    private final Function<String, Optional<Person>> tickets;
     private final SessionBases bases;
+    private final String name;
+    private final ThreadGuard guard;
     private final ThreadPoolExecutor worker;
 
     /**
      * A handler whose work is done on so many threads of a name.
      *
+     * @param tickets the person who has a ticket; empty for a wrong one
      * @param bases whose pages may fetch it too, after a take-over
      * @param threads at most
+     * @param guard is told what work throws
      */
-    TicketHandler(Tickets tickets, SessionBases bases, String name, int threads) {
+    TicketHandler(
+            Function<String, Optional<Person>> tickets,
+            SessionBases bases,
+            String name,
+            int threads,
+            ThreadGuard guard) {
+        this.name = name;
+        this.guard = guard;
         this.bases = bases;
         this.tickets = tickets;
         worker = new ThreadPoolExecutor(
@@ -74,7 +87,7 @@ abstract class TicketHandler extends Handler.Wrapper implements AutoCloseable {
         String shown = Optional.ofNullable(request.getHeaders().get(HttpHeader.AUTHORIZATION))
                 .orElse("");
         Optional<Person> person =
-                shown.startsWith(BEARER) ? tickets.person(shown.substring(BEARER.length())) : Optional.empty();
+                shown.startsWith(BEARER) ? tickets.apply(shown.substring(BEARER.length())) : Optional.empty();
         if (person.isPresent()) {
             serve(person.get(), request, response, callback);
         } else {
@@ -83,13 +96,27 @@ abstract class TicketHandler extends Handler.Wrapper implements AutoCloseable {
         return true;
     }
 
-    /** Does something on the threads of this handler; what sends the response. Where too much waits, the client is asked to come again. */
+    /**
+     * Does something on the threads of this handler, which sends the response, or fails it before it throws. Where too much waits, the client is asked to come again. What is thrown, also where memory
+     * runs out, ends this work only and not the session.
+     */
     final void work(Response response, Callback callback, Runnable work) {
         try {
-            worker.execute(work);
+            worker.execute(() -> {
+                try {
+                    work.run();
+                } catch (RuntimeException | Error fault) {
+                    lost(fault);
+                }
+            });
         } catch (RejectedExecutionException tooMuch) {
             busy(response, callback);
         }
+    }
+
+    /** Tells the session's health that a piece of work was lost. */
+    final void lost(Throwable fault) {
+        guard.lost(name, fault);
     }
 
     /** Asks the client to come again in a second. */

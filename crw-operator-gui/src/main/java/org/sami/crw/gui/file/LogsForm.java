@@ -45,7 +45,9 @@ final class LogsForm extends JPanel {
     private final WrappedText said = new WrappedText("");
     private final Command begin;
     private final Command cancel;
-    private final Timer look = new Timer(LINKS_MS, e -> readLinks());
+    private final Timer look = new Timer(LINKS_MS, e -> look());
+    private final LinkQuestion links;
+    private String noLinks = ""; // why the boats are not known
     private final TableFit tableFit;
 
     /**
@@ -60,6 +62,7 @@ final class LogsForm extends JPanel {
         hint = new WrappedText(
                 context.say("Logs of all boats are fetched, or of those that are selected. Commands go first: a fetch"
                         + " slows none, also during a mission."));
+        links = new LinkQuestion(() -> context.session().fleet().linkedBoats(), fetch::offer, this::linksUnknown);
         setName("logs-form");
         table = new RowTable<>(
                 "logs-table",
@@ -93,12 +96,12 @@ final class LogsForm extends JPanel {
         table.table().getActionMap().put("fetch", begin);
         addHierarchyListener(event -> {
             if (isShowing()) {
+                links.begin();
                 look.start();
             } else {
                 look.stop();
             }
         });
-        readLinks();
         refresh();
     }
 
@@ -145,8 +148,18 @@ final class LogsForm extends JPanel {
         };
     }
 
-    private void readLinks() {
-        context.session().fleet().linkedBoats().thenAccept(fetch::offer);
+    private void look() {
+        links.look();
+        if (links.isRefused()) {
+            look.stop();
+        }
+    }
+
+    private void linksUnknown(String why) {
+        if (!why.equals(noLinks)) {
+            noLinks = why;
+            refresh();
+        }
     }
 
     /** The folder that is named; empty where the text cannot be one. */
@@ -180,9 +193,11 @@ final class LogsForm extends JPanel {
     /** Shows the fetch as it is now. */
     void refresh() {
         table.show(fetch.rows());
-        said.setText((fetch.isBad() ? "▲ " : "") + context.say(fetch.said()));
-        said.setColor(fetch.isBad() ? SemanticColor.WARNING : SemanticColor.TEXT);
-        said.setVisible(!fetch.said().isEmpty());
+        boolean bad = fetch.isBad() || !noLinks.isEmpty();
+        String words = noLinks.isEmpty() ? fetch.said() : noLinks;
+        said.setText((bad ? "▲ " : "") + context.say(words));
+        said.setColor(bad ? SemanticColor.WARNING : SemanticColor.TEXT);
+        said.setVisible(!words.isEmpty());
         begin.refresh();
         cancel.refresh();
         tableFit.fit(fetch.rows().size(), said.getText());
