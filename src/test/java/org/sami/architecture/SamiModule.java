@@ -55,7 +55,7 @@ enum SamiModule {
                     "org.sami.spn.testcase.."),
             List.of(SPN_LANGUAGE)),
     /** Journals in PostgreSQL. */
-    JOURNAL_POSTGRES("journal-postgres", 26, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
+    JOURNAL_POSTGRES("journal-postgres", 31, List.of("org.sami.journal.postgres.."), List.of(SPN_CORE, SPN_LANGUAGE)),
     /** Work that several machines divide, in PostgreSQL: at the addresses, and by the connections, of journals there. */
     WORK_POSTGRES("work-postgres", 10, List.of("org.sami.work.postgres.."), List.of(JOURNAL_POSTGRES)),
     /** Two bases of which one replicates the other. */

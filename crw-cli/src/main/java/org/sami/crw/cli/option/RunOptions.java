@@ -31,8 +31,8 @@ public final class RunOptions {
             names = "--connect",
             paramLabel = "HOST:PORT,...",
             description = "Use the boats whose servers listen at these addresses ('crw boat'), or vehicles that speak"
-                + " MAVLink (mavlink:...), in real time and instead of simulated ones; with --boats, beside them. The"
-                + " area lies around them.")
+                    + " MAVLink (mavlink:...), in real time and instead of simulated ones; with --boats, beside them. The"
+                    + " area lies around them.")
     private @Nullable String connect;
 
     @Option(

@@ -61,9 +61,9 @@ final class InitPairCommand implements Callable<Integer> {
             names = "--when-cut",
             paramLabel = "RULE",
             description = "What happens where the bases do not reach one another, and neither knows whether the other"
-                + " died. take-over: the standby goes on by itself, and the base that has the session stops commanding"
-                + " before that. alone: the base that has the session goes on alone, and the standby only by 'crw"
-                + " take-over' (default: ${DEFAULT-VALUE}).")
+                    + " died. take-over: the standby goes on by itself, and the base that has the session stops commanding"
+                    + " before that. alone: the base that has the session goes on alone, and the standby only by 'crw"
+                    + " take-over' (default: ${DEFAULT-VALUE}).")
     private String whenCut = WhenCut.TAKE_OVER.text();
 
     @Option(

@@ -90,8 +90,8 @@ final class SessionOptions {
             converter = ConditionsConverter.class,
             description =
                     "The water of simulated boats, and the errors of boats that do not report theirs: calm, field or"
-                        + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
-                        + " field; of a session that is resumed, its own).")
+                            + " rough; paths keep that distance from no-go areas (default: calm for simulated boats, else"
+                            + " field; of a session that is resumed, its own).")
     private @Nullable NamedConditions conditions;
 
     @Option(
