@@ -28,6 +28,7 @@ import org.sami.palette.Theme;
 import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.PlanQuery;
+import org.sami.spn.model.Project;
 import org.sami.spn.model.StartMarking;
 import org.sami.spn.model.TestCase;
 import org.sami.spn.model.TestStart;
@@ -48,12 +49,20 @@ class QueriesViewTest {
     private final StartMarkingSetup setup = new StartMarkingSetup();
     private boolean hasErrors;
 
+    /** The project of clv, whose author has saved no query yet. */
+    private static Project withoutQueries() {
+        Project clv = BOATS.projectOf("clv").orElseThrow();
+        return clv.withPlans(clv.plans().stream()
+                .map(plan -> plan.withQueries(List.of()))
+                .toList());
+    }
+
     @BeforeEach
     void open() {
         Look.apply(Theme.LIGHT, 100);
         context = new DreammContext(
                 BOATS,
-                new ProjectDocument(BOATS.vocabulary(), BOATS.projectOf("clv").orElseThrow(), Optional.empty()),
+                new ProjectDocument(BOATS.vocabulary(), withoutQueries(), Optional.empty()),
                 Profile.ALL);
         TryOut tryOut = new TryOut(context.document());
         SavedCases cases = new SavedCases(context.document(), context.editor(), Runnable::run, Runnable::run);
