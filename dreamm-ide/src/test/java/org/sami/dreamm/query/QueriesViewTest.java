@@ -52,18 +52,15 @@ class QueriesViewTest {
     /** The project of clv, whose author has saved no query yet. */
     private static Project withoutQueries() {
         Project clv = BOATS.projectOf("clv").orElseThrow();
-        return clv.withPlans(clv.plans().stream()
-                .map(plan -> plan.withQueries(List.of()))
-                .toList());
+        return clv.withPlans(
+                clv.plans().stream().map(plan -> plan.withQueries(List.of())).toList());
     }
 
     @BeforeEach
     void open() {
         Look.apply(Theme.LIGHT, 100);
         context = new DreammContext(
-                BOATS,
-                new ProjectDocument(BOATS.vocabulary(), withoutQueries(), Optional.empty()),
-                Profile.ALL);
+                BOATS, new ProjectDocument(BOATS.vocabulary(), withoutQueries(), Optional.empty()), Profile.ALL);
         TryOut tryOut = new TryOut(context.document());
         SavedCases cases = new SavedCases(context.document(), context.editor(), Runnable::run, Runnable::run);
         QueryAnswers answers = new QueryAnswers(context.document(), context.editor(), searches::add, Runnable::run);
@@ -128,8 +125,8 @@ class QueriesViewTest {
         }
         assertThat(shown()).containsExactly("execute");
         assertThat(message())
-                .startsWith(
-                        "firing 4 of 4: Allocation accepted (robot-1, robot-2): generic robot-1 robot-2 Choose allocation → Execute paths");
+                .startsWith("firing 4 of 4: Allocation accepted (robot-1, robot-2): generic robot-1 robot-2 Choose"
+                        + " allocation → Execute paths");
         assertThat(can("query-next")).isFalse();
         context.commands().get("query-play").run();
         assertThat(shown()).isEmpty();

@@ -19,7 +19,8 @@ class SessionBasesTest {
         assertThat(bases.list().toString())
                 .isEqualTo("[{\"id\":\"wss://10.0.0.5:8443\",\"certificate\":\"" + PRINT
                         + "\"},{\"id\":\"ws://127.0.0.1:8080\"}]");
-        assertThat(bases.sources()).isEqualTo(" wss://10.0.0.5:8443 ws://127.0.0.1:8080");
+        assertThat(bases.sources())
+                .isEqualTo(" wss://10.0.0.5:8443 ws://127.0.0.1:8080 https://10.0.0.5:8443 http://127.0.0.1:8080");
         assertThat(bases.haveOrigin("https://10.0.0.5:8443")).isTrue();
         assertThat(bases.haveOrigin("http://10.0.0.5:8443")).isFalse();
     }
