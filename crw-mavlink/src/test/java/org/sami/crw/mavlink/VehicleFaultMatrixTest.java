@@ -274,6 +274,7 @@ class VehicleFaultMatrixTest {
                     "the next base is told that it is driven",
                     GatewayWorld.WAIT_S,
                     () -> world.alarms.stream().anyMatch(text -> text.startsWith("mav7 is taken by a pilot")));
+            world.until("the next base has it in its fleet", "mav7", proxy -> true); // the alarm comes before
             world.tell("mav7", BoatProxy::fleetStop);
         }
         Await.until("it is disarmed", GatewayWorld.WAIT_S, () -> !boat.isArmed());
