@@ -135,7 +135,7 @@ final class BaseSession implements VehicleConnection.Receiver {
             commands = false;
             newest = newest.next("", who);
             welcome(Role.OBSERVER);
-        } else if (isNews && isGreeted()) { // the same hands, in another state: no appointment of its own
+        } else if (isNews && isGreeted()) { // the same controller in another mode: no appointment of its own
             newest = new CommandEpoch(Math.max(1, newest.number()), "", who);
             welcome(Role.OBSERVER);
         }

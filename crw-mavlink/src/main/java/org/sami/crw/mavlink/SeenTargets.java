@@ -17,7 +17,7 @@ final class SeenTargets {
     /** Two places that are nearer to one another are one target, in metres: the place of a target is as wrong as the camera's direction. */
     static final double SAME_M = 15;
 
-    private static final int MOST = 1_000; // a detector that sees more has lost its way
+    private static final int MOST = 1_000; // a detector that reports more is not believed
 
     private final List<GeoPoint> places = new ArrayList<>(); // where each was seen first
 

@@ -1,25 +1,21 @@
 package org.sami.petri.query;
 
-import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
-import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.petri.symmetry.SymmetryJudge;
 
 /** The comparisons of answers with what a plain search saw notice when one line of symmetry or queries is wrong: each row spoils one. */
 @Tag("long")
-class SpoiltAnswerTest {
-    private static final int LEAST_SPOILT = 28;
+class SpoiltAnswerTest extends SpoiltLines {
+    SpoiltAnswerTest() {
+        super(28, new SymmetryJudge(), new QueryJudge());
+    }
 
-    /** What is spoilt, who judges, the class, and the line. */
-    static Stream<Arguments> lines() {
+    @Override
+    Stream<Arguments> lines() {
         return Stream.concat(ofSymmetry(), ofQueries());
     }
 
@@ -141,26 +137,5 @@ class SpoiltAnswerTest {
 
     private static Arguments query(String spoilt, String right, String wrong) {
         return arguments(spoilt, QueryJudge.class, "query/QueryRunner", right, wrong);
-    }
-
-    @Test
-    void manyLinesAreSpoilt() {
-        assertThat(lines()).hasSizeGreaterThanOrEqualTo(LEAST_SPOILT);
-        assertThat(lines().map(row -> row.get()[0])).doesNotHaveDuplicates();
-    }
-
-    @Test
-    void theRightLinesAgree() {
-        SpoiltSearch.judgeTheRight(new SymmetryJudge());
-        SpoiltSearch.judgeTheRight(new QueryJudge());
-    }
-
-    @ParameterizedTest(name = "{0}")
-    @MethodSource("lines")
-    void disagreesSoon(String spoilt, Class<?> judge, String source, String right, String wrong, @TempDir Path folder)
-            throws ReflectiveOperationException {
-        assertThat(SpoiltSearch.isNoticed(folder, judge, source, right, wrong))
-                .as(spoilt)
-                .isTrue();
     }
 }

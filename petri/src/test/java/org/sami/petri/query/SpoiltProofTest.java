@@ -1,26 +1,22 @@
 package org.sami.petri.query;
 
-import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
-import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.petri.coverability.CoverabilityJudge;
 import org.sami.petri.structure.StructureJudge;
 
 /** The comparisons of proofs with all markings notice when one line of coverability or structure is wrong: each row spoils one. */
 @Tag("long")
-class SpoiltProofTest {
-    private static final int LEAST_SPOILT = 44;
+class SpoiltProofTest extends SpoiltLines {
+    SpoiltProofTest() {
+        super(44, new CoverabilityJudge(), new StructureJudge());
+    }
 
-    /** What is spoilt, who judges, the class, and the line. */
-    static Stream<Arguments> lines() {
+    @Override
+    Stream<Arguments> lines() {
         return Stream.concat(ofCoverability(), ofStructure());
     }
 
@@ -231,26 +227,5 @@ class SpoiltProofTest {
 
     private static Arguments structure(String spoilt, String source, String right, String wrong) {
         return arguments(spoilt, StructureJudge.class, "structure/" + source, right, wrong);
-    }
-
-    @Test
-    void manyLinesAreSpoilt() {
-        assertThat(lines()).hasSizeGreaterThanOrEqualTo(LEAST_SPOILT);
-        assertThat(lines().map(row -> row.get()[0])).doesNotHaveDuplicates();
-    }
-
-    @Test
-    void theRightLinesAgree() {
-        SpoiltSearch.judgeTheRight(new CoverabilityJudge());
-        SpoiltSearch.judgeTheRight(new StructureJudge());
-    }
-
-    @ParameterizedTest(name = "{0}")
-    @MethodSource("lines")
-    void disagreesSoon(String spoilt, Class<?> judge, String source, String right, String wrong, @TempDir Path folder)
-            throws ReflectiveOperationException {
-        assertThat(SpoiltSearch.isNoticed(folder, judge, source, right, wrong))
-                .as(spoilt)
-                .isTrue();
     }
 }

@@ -1,25 +1,21 @@
 package org.sami.petri.query;
 
-import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
-import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.petri.graph.GraphJudge;
 
 /** The comparisons of searches with a plain one notice when one line of graphs or reductions is wrong: each row spoils one. */
 @Tag("long")
-class SpoiltSearchTest {
-    private static final int LEAST_SPOILT = 33;
+class SpoiltSearchTest extends SpoiltLines {
+    SpoiltSearchTest() {
+        super(33, new GraphJudge());
+    }
 
-    /** What is spoilt, who judges, the class, and the line. */
-    static Stream<Arguments> lines() {
+    @Override
+    Stream<Arguments> lines() {
         return ofGraphs();
     }
 
@@ -174,25 +170,5 @@ class SpoiltSearchTest {
 
     private static Arguments graph(String spoilt, String source, String right, String wrong) {
         return arguments(spoilt, GraphJudge.class, "graph/" + source, right, wrong);
-    }
-
-    @Test
-    void manyLinesAreSpoilt() {
-        assertThat(lines()).hasSizeGreaterThanOrEqualTo(LEAST_SPOILT);
-        assertThat(lines().map(row -> row.get()[0])).doesNotHaveDuplicates();
-    }
-
-    @Test
-    void theRightLinesAgree() {
-        SpoiltSearch.judgeTheRight(new GraphJudge());
-    }
-
-    @ParameterizedTest(name = "{0}")
-    @MethodSource("lines")
-    void disagreesSoon(String spoilt, Class<?> judge, String source, String right, String wrong, @TempDir Path folder)
-            throws ReflectiveOperationException {
-        assertThat(SpoiltSearch.isNoticed(folder, judge, source, right, wrong))
-                .as(spoilt)
-                .isTrue();
     }
 }
