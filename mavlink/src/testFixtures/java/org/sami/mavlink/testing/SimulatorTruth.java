@@ -6,6 +6,7 @@ import io.dronefleet.mavlink.ardupilotmega.ArdupilotmegaDialect;
 import io.dronefleet.mavlink.ardupilotmega.Simstate;
 import io.dronefleet.mavlink.common.CommandLong;
 import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -31,6 +32,13 @@ public final class SimulatorTruth implements AutoCloseable {
                 .defaultDialect(new ArdupilotmegaDialect())
                 .dialect(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, new ArdupilotmegaDialect())
                 .build();
+        ask(codec, system);
+        Thread thread = new Thread(() -> read(codec, system), "truth of " + system);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private static void ask(MavlinkConnection codec, int system) throws IOException {
         codec.send2(
                 GROUND,
                 1,
@@ -41,15 +49,14 @@ public final class SimulatorTruth implements AutoCloseable {
                         .param1(SIMSTATE)
                         .param2(EVERY_US)
                         .build());
-        Thread thread = new Thread(() -> read(codec), "truth of " + system);
-        thread.setDaemon(true);
-        thread.start();
     }
 
-    private void read(MavlinkConnection codec) {
+    private void read(MavlinkConnection codec, int system) {
         try {
             for (MavlinkMessage<?> message = codec.next(); message != null; message = codec.next()) {
-                if (message.getPayload() instanceof Simstate state) {
+                if (message.getPayload() instanceof Heartbeat && samples() == 0) {
+                    ask(codec, system); // a vehicle that starts forgets what it was asked before
+                } else if (message.getPayload() instanceof Simstate state) {
                     synchronized (track) {
                         track.add(new int[] {state.lat(), state.lng()});
                         heardNs.add(System.nanoTime());
