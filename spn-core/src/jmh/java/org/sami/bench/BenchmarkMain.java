@@ -59,7 +59,8 @@ public final class BenchmarkMain {
                 .warmupTime(TimeValue.seconds(quick ? 1 : 2))
                 .measurementIterations(quick ? 4 : 8)
                 .measurementTime(TimeValue.seconds(quick ? 1 : 2))
-                .jvmArgs("-Xms1g", "-Xmx1g")
+                // collector and room of crw (gradle/start.sh)
+                .jvmArgs("-XX:+UseSerialGC", "-Xmn300m", "-Xms1g", "-Xmx1g")
                 .build();
     }
 

@@ -5,10 +5,12 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.issues.IssueWords;
 import org.sami.dreamm.profile.ProfileIds;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.Fix;
 import org.sami.spn.finding.Finding;
+import org.sami.ui.table.TooltipLines;
 import org.sami.ui.value.WrappedText;
 
 /** The findings about the selected elements, with a button next to them for each fix. */
@@ -28,7 +30,10 @@ final class FindingRows extends JPanel {
             String sign = finding.isError() ? "▲ " : "△ ";
             SemanticColor color = finding.isError() ? SemanticColor.CRITICAL : SemanticColor.WARNING;
             boolean alone = finding.fixes().isEmpty();
-            add(note(sign + finding.message(), color), alone ? "span 2, wmin 0" : "wmin 0");
+            WrappedText row = note(sign + finding.message(), color);
+            String advice = IssueWords.advice(finding);
+            row.setToolTipText(advice.isEmpty() ? null : TooltipLines.of(advice));
+            add(row, alone ? "span 2, wmin 0" : "wmin 0");
             if (!alone) {
                 JPanel fixes = new JPanel(new MigLayout("novisualpadding, insets 0, gap 0 4, wrap 1", "[fill]"));
                 fixes.setOpaque(false);

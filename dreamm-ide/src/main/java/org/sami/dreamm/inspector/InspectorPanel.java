@@ -2,6 +2,7 @@ package org.sami.dreamm.inspector;
 
 import java.awt.Point;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import javax.swing.BorderFactory;
@@ -45,6 +46,7 @@ public final class InspectorPanel extends JPanel {
     private transient List<Finding> shownFindings = List.of();
     private transient Optional<String> shownPlan = Optional.empty();
     private transient Set<String> shownSelection = Set.of();
+    private transient Map<String, String> shownBounds = Map.of();
     private boolean giving;
 
     /**
@@ -82,6 +84,13 @@ public final class InspectorPanel extends JPanel {
             @Override
             public void selectionChanged() {
                 giveWhatIsTyped();
+                rebuild();
+            }
+        });
+        context.overlay().addListener(() -> {
+            Map<String, String> bounds = context.overlay().shown().badges().bounds();
+            if (!bounds.equals(shownBounds)) {
+                shownBounds = bounds;
                 rebuild();
             }
         });
@@ -190,7 +199,8 @@ public final class InspectorPanel extends JPanel {
         form.flag(
                 "Locked",
                 "inspector-locked",
-                "Whether additions and deletions leave the requirements as they are (thesis 5.1.1); edges of manual sequences are",
+                "Whether additions and deletions leave the requirements as they are (thesis 5.1.1); edges of manual"
+                        + " sequences are",
                 locked,
                 on -> context.apply(new EdgeEdit.SetLocked(plan.id(), selected.edgeIds(), on)));
         return form;

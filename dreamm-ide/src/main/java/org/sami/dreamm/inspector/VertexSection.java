@@ -9,6 +9,8 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.dreamm.context.NetOverlay;
+import org.sami.palette.SemanticColor;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
 import org.sami.spn.edit.SetDisabled;
@@ -58,7 +60,8 @@ final class VertexSection extends Form {
         flag(
                 "Disabled for trying",
                 "inspector-disabled",
-                "Try it leaves it out: a place sends nothing and starts no sub-mission, a transition never fires. A mission takes no notice",
+                "Try it leaves it out: a place sends nothing and starts no sub-mission, a transition never fires. A"
+                        + " mission takes no notice",
                 selected.places().stream().allMatch(Place::disabled)
                         && selected.transitions().stream().allMatch(Transition::disabled),
                 off -> context.apply(new SetDisabled(this.plan, vertices(), off)));
@@ -100,6 +103,13 @@ final class VertexSection extends Form {
                 "What people call it; its id in the file is " + id,
                 name,
                 n -> context.apply(new VertexEdit.NameVertex(plan, id, n)));
+        NetOverlay.Shown shown = context.overlay().shown();
+        if (shown.badges().bounds().containsKey(id)) {
+            shown.why()
+                    .apply(id)
+                    .ifPresent(words ->
+                            note("Bound: " + words + ".", SemanticColor.MUTED).setName("inspector-bound"));
+        }
     }
 
     private void places(List<Place> places) {
@@ -128,8 +138,8 @@ final class VertexSection extends Form {
             flag(
                     "Ends a static sub-mission",
                     "inspector-ends-shared",
-                    "Where the plan runs as a static sub-mission, this end place ends the instance for all; any other returns only those who"
-                            + " enter it",
+                    "Where the plan runs as a static sub-mission, this end place ends the instance for all; any other"
+                            + " returns only those who enter it",
                     places.stream().allMatch(Place::endsSharedInstance),
                     ends -> each(
                             "Change ends", places.stream().map(p -> new VertexEdit.SetEnd(plan, p.id(), true, ends))));

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.document.EditorState;
@@ -36,6 +37,7 @@ public final class IssueList {
     private List<Issue> all = List.of();
     private List<Issue> shown = List.of();
     private Optional<Issue> current = Optional.empty();
+    private Supplier<List<Finding>> notes = List::of;
 
     /**
      * The issues of a document.
@@ -54,7 +56,7 @@ public final class IssueList {
         this.deep = Objects.requireNonNull(deep, "deep");
         live.addListener(this::refresh);
         deep.addListener(this::refresh);
-        document.addListener((DocumentChange change) -> forgetDeep(change));
+        document.addListener((DocumentChange change) -> followDeep(change));
         editor.addListener(new EditorListener() {
             @Override
             public void planOpened() {
@@ -66,9 +68,21 @@ public final class IssueList {
         refresh();
     }
 
-    /** A change of the net that was searched makes what was found old; one of another plan may as well. */
-    private void forgetDeep(DocumentChange change) {
-        deep.outcome().filter(found -> NetChanges.in(change)).ifPresent(found -> deep.forget());
+    /**
+     * Shows further findings after all others.
+     *
+     * @param further asked now, and whenever the list is made anew
+     */
+    public void showAlso(Supplier<List<Finding>> further) {
+        notes = Objects.requireNonNull(further, "further");
+        refresh();
+    }
+
+    /** A change of the plan that was searched, or of one that it runs, makes what was found old; undone, it is back. */
+    private void followDeep(DocumentChange change) {
+        if (NetChanges.in(change)) {
+            deep.follow(change.after());
+        }
     }
 
     private void refresh() {
@@ -82,6 +96,7 @@ public final class IssueList {
                         .findings()
                         .forEach(finding ->
                                 next.add(new Issue(next.size(), finding.finding(), finding.witness(), true))));
+        notes.get().forEach(note -> next.add(new Issue(next.size(), note, Optional.empty(), true)));
         next.removeIf(issue -> !offered.test(issue.finding()));
         all = List.copyOf(next);
         filtered();

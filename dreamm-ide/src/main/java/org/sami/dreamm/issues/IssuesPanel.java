@@ -296,7 +296,7 @@ public final class IssuesPanel extends FoldingPanel {
     }
 
     private void showCurrent() {
-        message.setText(issues.current().map(IssuesPanel::words).orElse(""));
+        message.setText(issues.current().map(IssueWords::of).orElse(""));
         fixes.removeAll();
         issues.current().ifPresent(issue -> {
             for (int i = 0; i < issue.fixes().size(); i++) {
@@ -318,13 +318,6 @@ public final class IssuesPanel extends FoldingPanel {
 
     private boolean isLow() {
         return getHeight() <= Look.px(LEAST_HEIGHT_OF_MESSAGE);
-    }
-
-    private static String words(Issue issue) {
-        String nothing = issue.fixes().isEmpty() && issue.witness().isEmpty()
-                ? "  To be mended by hand: what it is about is marked on the net."
-                : "";
-        return issue.finding().message() + "." + nothing;
     }
 
     private JButton button(Fix fix, int index) {

@@ -36,7 +36,8 @@ public final class QueriesView extends FoldingPanel {
             "query-next",
             "query-play",
             "query-remove",
-            "query-graph");
+            "query-graph",
+            "query-bounds");
 
     private static final String TABLE = "table";
     private static final String GRAPH = "graph";
@@ -58,6 +59,7 @@ public final class QueriesView extends FoldingPanel {
     private final transient WitnessOnNet witness;
     private final transient QueryCommands commands;
     private final transient StatesOfPlan states;
+    private final transient BoundsOfPlan bounds;
     private final transient CardLayout cards = new CardLayout();
     private final JPanel middle = new JPanel(cards);
     private final RowTable<QueryRow> table;
@@ -77,7 +79,8 @@ public final class QueriesView extends FoldingPanel {
             QueryAnswers answers,
             WitnessOnNet witness,
             QueryCommands commands,
-            StatesOfPlan states) {
+            StatesOfPlan states,
+            BoundsOfPlan bounds) {
         super(new BorderLayout());
         setName("queries-panel");
         this.context = context;
@@ -85,6 +88,7 @@ public final class QueriesView extends FoldingPanel {
         this.witness = witness;
         this.commands = commands;
         this.states = states;
+        this.bounds = bounds;
         table = new RowTable<>(
                 "queries-table",
                 "No query yet. Write one below, such as: reachable m(\"Go home\".robots) >= 1",
@@ -111,6 +115,7 @@ public final class QueriesView extends FoldingPanel {
         answers.addListener(this::refresh);
         witness.addListener(this::refresh);
         states.addListener(this::refresh);
+        bounds.addListener(this::refresh);
         refresh();
     }
 
@@ -202,14 +207,16 @@ public final class QueriesView extends FoldingPanel {
         cards.show(middle, states.isShown() ? GRAPH : TABLE);
         String words = states.isShown() || !states.words().isEmpty()
                 ? states.words()
-                : witness.words().isEmpty()
-                        ? answers.isRunning()
-                                ? answers.message()
-                                : table.selected()
-                                        .filter(row -> row.answer().isPresent())
-                                        .map(QueryRow::words)
-                                        .orElse(answers.message())
-                        : witness.words();
+                : !bounds.words().isEmpty()
+                        ? bounds.words()
+                        : witness.words().isEmpty()
+                                ? answers.isRunning()
+                                        ? answers.message()
+                                        : table.selected()
+                                                .filter(row -> row.answer().isPresent())
+                                                .map(QueryRow::words)
+                                                .orElse(answers.message())
+                                : witness.words();
         message.setText(words.isEmpty() ? " " : words);
         message.setToolTipText(words.isEmpty() ? null : words);
         LookColors.foreground(message, SemanticColor.MUTED);

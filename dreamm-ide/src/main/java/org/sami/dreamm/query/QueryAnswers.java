@@ -1,9 +1,7 @@
 package org.sami.dreamm.query;
 
 import java.time.Duration;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -13,7 +11,9 @@ import org.sami.dreamm.document.DocumentChange;
 import org.sami.dreamm.document.EditorListener;
 import org.sami.dreamm.document.EditorState;
 import org.sami.dreamm.document.ProjectDocument;
+import org.sami.dreamm.tryout.KeptResults;
 import org.sami.dreamm.tryout.NetChanges;
+import org.sami.dreamm.tryout.RunContent;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.spn.model.Plan;
@@ -25,24 +25,25 @@ import org.sami.spn.planspace.PlanQueries;
 import org.sami.spn.planspace.PlanQueryAnswer;
 
 /**
- * The queries of the open plan with their last answers, which are forgotten when a plan runs otherwise. They are answered off the owner's thread, to which all else
+ * The queries of the open plan with their last answers, each for what the plan was then: gone when it runs otherwise, and back when a change is undone. They are answered off the owner's thread, to which all else
  * belongs.
  */
 public final class QueryAnswers {
     private static final Duration LONGEST = Duration.ofMinutes(1);
     private static final int PART_OF_MEMORY = 4;
+    private static final int MOST_KEPT = 500;
 
     private final ProjectDocument document;
     private final EditorState editor;
     private final Executor worker;
     private final Executor owner;
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
-    private final Map<Asked, PlanQueryAnswer> answers = new HashMap<>();
+    private final KeptResults<Asked, PlanQueryAnswer> answers = new KeptResults<>(MOST_KEPT);
+    private Optional<RunContent> content = Optional.empty();
     private Optional<AtomicBoolean> cancelled = Optional.empty();
-    private int version;
     private String message = "";
 
-    private record Asked(String plan, PlanQuery query) {}
+    private record Asked(RunContent content, PlanQuery query) {}
 
     /** Nothing is asked yet. */
     public QueryAnswers(ProjectDocument document, EditorState editor, Executor worker, Executor owner) {
@@ -52,8 +53,7 @@ public final class QueryAnswers {
         this.owner = Objects.requireNonNull(owner, "owner");
         document.addListener((DocumentChange change) -> {
             if (NetChanges.in(change)) {
-                version++;
-                answers.clear();
+                content = Optional.empty();
                 message = "";
             }
             tell();
@@ -61,6 +61,7 @@ public final class QueryAnswers {
         editor.addListener(new EditorListener() {
             @Override
             public void planOpened() {
+                content = Optional.empty();
                 message = "";
                 tell();
             }
@@ -69,10 +70,18 @@ public final class QueryAnswers {
 
     /** The queries in the order of the plan, with what is known of each. */
     List<QueryRow> rows() {
-        String plan = editor.planId().orElse("");
+        RunContent now = content();
         return queries().stream()
-                .map(query -> new QueryRow(query, Optional.ofNullable(answers.get(new Asked(plan, query)))))
+                .map(query -> new QueryRow(query, answers.find(new Asked(now, query))))
                 .toList();
+    }
+
+    /** What the open plan runs now. */
+    private RunContent content() {
+        RunContent now = content.orElseGet(
+                () -> RunContent.of(document.project(), editor.planId().orElse("")));
+        content = Optional.of(now);
+        return now;
     }
 
     /** The queries of the open plan. */
@@ -102,7 +111,7 @@ public final class QueryAnswers {
         AtomicBoolean stop = new AtomicBoolean();
         cancelled = Optional.of(stop);
         message = "Asking…";
-        int of = version;
+        RunContent of = content();
         PlanNetRequest request = new PlanNetRequest(document.project(), document.vocabulary(), plan.get(), robots);
         worker.execute(() -> {
             try {
@@ -114,7 +123,7 @@ public final class QueryAnswers {
         tell();
     }
 
-    private void answer(PlanNetRequest request, List<PlanQuery> queries, AtomicBoolean stop, int of) {
+    private void answer(PlanNetRequest request, List<PlanQuery> queries, AtomicBoolean stop, RunContent of) {
         SearchBudget budget =
                 new SearchBudget(SearchBudget.MOST_STATES, Runtime.getRuntime().maxMemory() / PART_OF_MEMORY, LONGEST);
         try {
@@ -124,12 +133,12 @@ public final class QueryAnswers {
                     return;
                 }
                 PlanQueryAnswer answer = net.answer(query);
-                owner.execute(() -> answered(request.plan(), answer, of));
+                owner.execute(() -> answered(answer, of));
             }
         } catch (PlanNetTooLargeException | IllegalArgumentException refused) {
             String why = "unknown: " + refused.getMessage();
-            queries.forEach(query -> owner.execute(() ->
-                    answered(request.plan(), PlanQueryAnswer.without(query, PlanQueryAnswer.Result.OPEN, why), of)));
+            queries.forEach(query -> owner.execute(
+                    () -> answered(PlanQueryAnswer.without(query, PlanQueryAnswer.Result.OPEN, why), of)));
         }
     }
 
@@ -152,12 +161,10 @@ public final class QueryAnswers {
         };
     }
 
-    /** Keeps an answer, unless the plan is another one by now. */
-    private void answered(String plan, PlanQueryAnswer answer, int of) {
-        if (of == version) {
-            answers.put(new Asked(plan, answer.query()), answer);
-            tell();
-        }
+    /** Keeps an answer for what the plan was when it was asked. */
+    private void answered(PlanQueryAnswer answer, RunContent of) {
+        answers.keep(new Asked(of, answer.query()), answer);
+        tell();
     }
 
     private void ended(AtomicBoolean stop) {

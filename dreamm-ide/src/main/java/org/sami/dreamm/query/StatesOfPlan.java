@@ -5,36 +5,23 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
-import java.util.concurrent.CancellationException;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
-import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.sami.dreamm.context.DreammContext;
-import org.sami.dreamm.document.DocumentChange;
-import org.sami.dreamm.document.EditorListener;
-import org.sami.dreamm.tryout.NetChanges;
 import org.sami.spn.drawing.states.StateGraph;
 import org.sami.spn.plannet.PlanNetRequest;
 import org.sami.spn.plannet.PlanNetTooLargeException;
-import org.sami.ui.command.Command;
 
 /**
  * The graph of states of the open plan, searched off the owner's thread when it is asked for, and what is selected in it: a state stands on the net with its tokens, an
  * arrow with what fires. It is forgotten where the plan runs otherwise. All else on the owner's thread.
  */
 public final class StatesOfPlan {
-    private final DreammContext context;
     private final WitnessOnNet net;
-    private final Supplier<List<String>> robots;
-    private final Executor worker;
-    private final Executor owner;
-    private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
-    private Optional<PlanStates> states = Optional.empty();
-    private Optional<AtomicBoolean> searching = Optional.empty();
+    private final PlanSearch<PlanStates> search;
     private OptionalInt state = OptionalInt.empty();
     private OptionalInt arrow = OptionalInt.empty();
-    private String message = "";
 
     /**
      * Adds its command to a window's.
@@ -43,39 +30,24 @@ public final class StatesOfPlan {
      */
     public StatesOfPlan(
             DreammContext context, WitnessOnNet net, Supplier<List<String>> robots, Executor worker, Executor owner) {
-        this.context = Objects.requireNonNull(context, "context");
         this.net = Objects.requireNonNull(net, "net");
-        this.robots = Objects.requireNonNull(robots, "robots");
-        this.worker = Objects.requireNonNull(worker, "worker");
-        this.owner = Objects.requireNonNull(owner, "owner");
-        context.commands()
-                .add(new Command("query-graph", "Graph of states, or queries again", this::toggle)
-                        .withIcon("layers")
-                        .withKey("shift F9")
-                        .unless(() -> context.editor().planId().isPresent()
-                                ? Optional.empty()
-                                : Optional.of("no plan is open")));
-        context.document().addListener((DocumentChange change) -> {
-            if (NetChanges.in(change)) {
-                forget();
-            }
-        });
-        context.editor().addListener(new EditorListener() {
-            @Override
-            public void planOpened() {
-                forget();
-            }
-        });
+        search = new PlanSearch<>(
+                context,
+                robots,
+                worker,
+                owner,
+                new PlanSearch.CommandWords("query-graph", "Graph of states, or queries again", "layers", "shift F9"),
+                new Graph());
     }
 
     /** What is drawn; empty while it is searched, or where nobody asks for it. */
     Optional<PlanStates> states() {
-        return states;
+        return search.result();
     }
 
     /** Whether the graph is shown, or will be. */
     boolean isShown() {
-        return states.isPresent() || searching.isPresent();
+        return search.isShown();
     }
 
     OptionalInt state() {
@@ -88,10 +60,10 @@ public final class StatesOfPlan {
 
     /** What is selected, or how much was found; empty text where the graph is not shown. */
     String words() {
-        if (states.isEmpty()) {
-            return message;
+        if (states().isEmpty()) {
+            return search.words();
         }
-        StateGraph graph = states.get().drawing().graph();
+        StateGraph graph = states().orElseThrow().drawing().graph();
         if (state.isPresent()) {
             StateGraph.State shown = graph.states().get(state.getAsInt());
             return "state " + shown.name() + ": " + String.join("; ", shown.marked());
@@ -103,82 +75,58 @@ public final class StatesOfPlan {
         return graph.remark();
     }
 
-    private void toggle() {
-        if (isShown()) {
-            forget();
-            return;
-        }
-        AtomicBoolean stop = new AtomicBoolean();
-        searching = Optional.of(stop);
-        message = "Searching…";
-        PlanNetRequest request = new PlanNetRequest(
-                context.document().project(),
-                context.document().vocabulary(),
-                context.editor().planId().orElseThrow(),
-                robots.get());
-        worker.execute(() -> search(request, stop));
-        changed();
-    }
-
-    private void search(PlanNetRequest request, AtomicBoolean stop) {
-        try {
-            PlanStates found = PlanStates.of(request, stop::get);
-            owner.execute(() -> found(Optional.of(found), "", stop));
-        } catch (PlanNetTooLargeException | IllegalArgumentException | CancellationException refused) {
-            owner.execute(() -> found(Optional.empty(), String.valueOf(refused.getMessage()), stop));
-        }
-    }
-
-    private void found(Optional<PlanStates> found, String why, AtomicBoolean stop) {
-        if (!stop.get()) {
-            searching = Optional.empty();
-            states = found;
-            message = why;
-            changed();
-        }
-    }
-
-    private void forget() {
-        searching.ifPresent(stop -> stop.set(true));
-        boolean wasShown = isShown();
-        searching = Optional.empty();
-        states = Optional.empty();
-        state = OptionalInt.empty();
-        arrow = OptionalInt.empty();
-        message = "";
-        if (wasShown) {
-            net.end();
-            changed();
-        }
-    }
-
     /** Shows the tokens of a state on the net. */
     void selectState(int number) {
-        states.ifPresent(shown -> {
+        states().ifPresent(shown -> {
             state = OptionalInt.of(number);
             arrow = OptionalInt.empty();
             net.show(shown.markings().get(number), Set.of());
-            changed();
+            search.changed();
         });
     }
 
     /** Shows on the net what fires along an arrow, and the tokens afterwards. */
     void selectArrow(int number) {
-        states.ifPresent(shown -> {
+        states().ifPresent(shown -> {
             state = OptionalInt.empty();
             arrow = OptionalInt.of(number);
             int to = shown.drawing().graph().arrows().get(number).to();
             net.show(shown.markings().get(to), shown.fired().get(number));
-            changed();
+            search.changed();
         });
     }
 
     /** Tells somebody when something else is shown. */
     void addListener(Runnable listener) {
-        listeners.add(Objects.requireNonNull(listener, "listener"));
+        search.addListener(listener);
     }
 
-    private void changed() {
-        listeners.forEach(Runnable::run);
+    private final class Graph implements PlanSearch.Subject<PlanStates> {
+        @Override
+        public String begun() {
+            return "Searching…";
+        }
+
+        @Override
+        public PlanStates search(PlanNetRequest request, BooleanSupplier stop) throws PlanNetTooLargeException {
+            return PlanStates.of(request, stop);
+        }
+
+        @Override
+        public String found(PlanStates found) {
+            return "";
+        }
+
+        @Override
+        public String refused(String why) {
+            return why;
+        }
+
+        @Override
+        public void forgotten(boolean wasFound) {
+            state = OptionalInt.empty();
+            arrow = OptionalInt.empty();
+            net.end();
+        }
     }
 }

@@ -1,9 +1,6 @@
 package org.sami.dreamm.tryout;
 
-import java.util.List;
-import java.util.Optional;
 import org.sami.dreamm.document.DocumentChange;
-import org.sami.spn.model.Plan;
 
 /** Whether a change of the document makes plans run otherwise: layout, notes, names of plans and test cases do not. */
 public final class NetChanges {
@@ -14,13 +11,7 @@ public final class NetChanges {
         return change.isOpened()
                 || !change.before().globals().equals(change.after().globals())
                 || change.plans().stream()
-                        .anyMatch(id -> !runs(change.before().plan(id))
-                                .equals(runs(change.after().plan(id))));
-    }
-
-    private static List<Object> runs(Optional<Plan> plan) {
-        return plan.map(p -> List.<Object>of(
-                        p.places(), p.transitions(), p.inEdges(), p.outEdges(), p.variables(), p.reads(), p.tasks()))
-                .orElse(List.of());
+                        .anyMatch(id -> !RunContent.runs(change.before().plan(id))
+                                .equals(RunContent.runs(change.after().plan(id))));
     }
 }

@@ -127,6 +127,7 @@ final class DreammMenus {
                 "query-play",
                 "query-remove",
                 "query-graph",
+                "query-bounds",
                 "",
                 "replay-open",
                 "replay-close"));

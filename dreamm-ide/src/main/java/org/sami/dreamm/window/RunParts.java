@@ -15,6 +15,7 @@ import org.sami.dreamm.issues.IssueList;
 import org.sami.dreamm.issues.IssuesPanel;
 import org.sami.dreamm.issues.LiveFindings;
 import org.sami.dreamm.profile.ProfileIds;
+import org.sami.dreamm.query.BoundsOfPlan;
 import org.sami.dreamm.query.QueriesView;
 import org.sami.dreamm.query.QueryAnswers;
 import org.sami.dreamm.query.QueryCommands;
@@ -53,6 +54,7 @@ final class RunParts implements AutoCloseable {
     private final WitnessOnNet witness;
     private final QueryCommands queryCommands;
     private final StatesOfPlan states;
+    private final BoundsOfPlan bounds;
 
     /**
      * Parts of a window, whose commands are added to its context.
@@ -82,6 +84,8 @@ final class RunParts implements AutoCloseable {
         queries = new QueryAnswers(context.document(), context.editor(), searching, EventThread.executor());
         witness = new WitnessOnNet(context.overlay(), overlay);
         states = new StatesOfPlan(context, witness, tryOut::robotNames, searching, EventThread.executor());
+        bounds = new BoundsOfPlan(context, overlay, tryOut::robotNames, searching, EventThread.executor());
+        bounds.addListener(() -> issues.showAlso(bounds::notes));
         queryCommands = new QueryCommands(
                 context,
                 queries,
@@ -149,7 +153,7 @@ final class RunParts implements AutoCloseable {
     }
 
     JComponent queries() {
-        return new QueriesView(context, queries, witness, queryCommands, states);
+        return new QueriesView(context, queries, witness, queryCommands, states, bounds);
     }
 
     ReplayPanel replay() {

@@ -26,7 +26,9 @@ import org.sami.dreamm.context.LibraryProject;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.dreamm.profile.Profile;
 import org.sami.palette.Theme;
+import org.sami.spn.advice.FindingAdvice;
 import org.sami.spn.edit.FieldEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import org.sami.ui.check.Layout;
@@ -102,6 +104,20 @@ class IssuesPanelTest {
         assertThat(below.isVisible()).isTrue();
         assertThat(SwingUtilities.convertPoint(below, 0, 0, panel).y)
                 .isGreaterThan(SwingUtilities.convertPoint(table.getParent(), 0, 0, panel).y);
+    }
+
+    @Test
+    void belowTheRowsStandsWhyAnIssueMattersAndHowItIsMended() {
+        breakThePlan();
+        show(100, 785, 400);
+        Issue issue = issues.current().orElseThrow();
+        Advice advice = FindingAdvice.of(issue.finding()).orElseThrow();
+
+        assertThat(find("issue-message", JTextComponent.class).getText())
+                .startsWith(issue.finding().message())
+                .contains("Why it matters: " + advice.why())
+                .contains("How to mend it: " + advice.mend());
+        assertIsSeenWhole("issue-fix-1", AbstractButton.class);
     }
 
     @Test

@@ -6,12 +6,14 @@ import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.dreamm.document.EditorState;
 import org.sami.dreamm.document.ProjectDocument;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.EditResult;
+import org.sami.spn.edit.RemoveElements;
 import org.sami.spn.edit.VertexEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
@@ -215,5 +217,45 @@ class LiveFindingsTest {
 
         assertThat(deep.isRunning()).isFalse();
         assertThat(deep.outcome().orElseThrow().result().states()).isZero();
+    }
+
+    private void search(DeepCheck check) {
+        deep.start(check, new DeepRequest(document.project(), TestVocabulary.TEST, "good", List.of("A"), 100));
+    }
+
+    @Test
+    void whatASearchFoundStaysWhileItsPlanRunsTheSame() {
+        worker.runAll();
+        search(DeepChecks.ALL.get(0));
+        worker.runAll();
+        DeepSearch.Outcome found = deep.outcome().orElseThrow();
+
+        document.apply(new VertexEdit.MoveVertices("good", Map.of("start", new LayoutPoint(40, 40))));
+        assertThat(deep.outcome()).contains(found);
+        document.apply(new VertexEdit.NameVertex("bad", "island", "another plan"));
+        assertThat(deep.outcome()).as("another plan").contains(found);
+
+        document.apply(new RemoveElements("good", Set.of("go")));
+        assertThat(deep.outcome()).as("without its edges").isEmpty();
+        document.undo();
+        assertThat(deep.outcome()).as("undone").contains(found);
+    }
+
+    @Test
+    void aSearchOfTheSamePlanIsNotMadeTwiceUnlessItWasStopped() {
+        worker.runAll();
+        search(DeepChecks.ALL.get(0));
+        deep.cancel();
+        worker.runAll();
+        search(DeepChecks.ALL.get(0));
+        assertThat(deep.isRunning()).as("the first was stopped").isTrue();
+        worker.runAll();
+        DeepSearch.Outcome found = deep.outcome().orElseThrow();
+
+        search(DeepChecks.ALL.get(0));
+        assertThat(deep.isRunning()).isFalse();
+        assertThat(deep.outcome()).contains(found);
+        search(DeepChecks.ALL.get(1));
+        assertThat(deep.isRunning()).as("another check").isTrue();
     }
 }

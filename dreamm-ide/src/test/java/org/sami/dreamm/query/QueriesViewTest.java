@@ -46,6 +46,7 @@ class QueriesViewTest {
     private DreammContext context;
     private QueriesView view;
     private StatesOfPlan states;
+    private BoundsOfPlan bounds;
     private final StartMarkingSetup setup = new StartMarkingSetup();
     private boolean hasErrors;
 
@@ -64,7 +65,9 @@ class QueriesViewTest {
         TryOut tryOut = new TryOut(context.document());
         SavedCases cases = new SavedCases(context.document(), context.editor(), Runnable::run, Runnable::run);
         QueryAnswers answers = new QueryAnswers(context.document(), context.editor(), searches::add, Runnable::run);
-        WitnessOnNet witness = new WitnessOnNet(context.overlay(), new TryOutOverlay(context, tryOut, setup, cases));
+        TryOutOverlay overlay = new TryOutOverlay(context, tryOut, setup, cases);
+        WitnessOnNet witness = new WitnessOnNet(context.overlay(), overlay);
+        bounds = new BoundsOfPlan(context, overlay, () -> List.of("robot-1", "robot-2"), searches::add, Runnable::run);
         QueryCommands commands = new QueryCommands(
                 context,
                 answers,
@@ -74,7 +77,7 @@ class QueriesViewTest {
                 () -> hasErrors,
                 played::set);
         states = new StatesOfPlan(context, witness, () -> List.of("robot-1", "robot-2"), searches::add, Runnable::run);
-        view = new QueriesView(context, answers, witness, commands, states);
+        view = new QueriesView(context, answers, witness, commands, states, bounds);
         Layout.layOut(view, 800, 300);
     }
 
@@ -152,7 +155,7 @@ class QueriesViewTest {
         searches.remove().run();
 
         assertThat(saved().get(1).text()).isEqualTo("reachable m(finished.robots) >= 3");
-        assertThat(message()).as("there are two").contains("such a marking is never reached");
+        assertThat(message()).as("there are two").startsWith("no: ");
     }
 
     @Test
@@ -172,6 +175,35 @@ class QueriesViewTest {
         context.commands().get("query-graph").run();
         assertThat(shown()).isEmpty();
         assertThat(message()).isBlank();
+    }
+
+    @Test
+    void boundsOfPlacesStandAtThemWithWhatLimitsThem() {
+        context.commands().get("query-bounds").run();
+        assertThat(message()).isEqualTo("Searching for bounds…");
+        assertThat(context.overlay().shown().badges().bounds()).isEmpty();
+        searches.remove().run();
+
+        assertThat(message()).isEqualTo("bounds of all 64 states");
+        assertThat(context.overlay().shown().badges().bounds()).containsEntry("execute", "≤ 2");
+        assertThat(context.overlay().shown().why().apply("execute"))
+                .hasValueSatisfying(
+                        words -> assertThat(words).startsWith("at most 2 of 2 robots: the team has no more"));
+
+        context.commands().get("query-bounds").run();
+        assertThat(context.overlay().shown().badges().bounds()).isEmpty();
+        assertThat(message()).isBlank();
+    }
+
+    @Test
+    void boundsOfAPlanThatRunsOtherwiseAreForgotten() {
+        context.commands().get("query-bounds").run();
+        searches.remove().run();
+
+        context.apply(new RemoveElements(context.editor().planId().orElseThrow(), Set.of("visited")));
+
+        assertThat(bounds.bounds()).isEmpty();
+        assertThat(context.overlay().shown().badges().bounds()).isEmpty();
     }
 
     @Test

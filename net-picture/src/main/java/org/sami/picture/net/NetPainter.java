@@ -93,7 +93,7 @@ public final class NetPainter {
             labels.stream().filter(NetPainter::isMissing).forEach(label -> missing(label.box())); // seen from afar, too
         }
         ChangePainter.paint(pen, sight.scale(), scene, light.changes());
-        BadgePainter.paint(pen, scene, net.badges());
+        BadgePainter.paint(pen, scene, net.badges(), sight);
     }
 
     /** The box around an edge with its arrow. */

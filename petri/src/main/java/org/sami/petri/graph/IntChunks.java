@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /** A list of ints in chunks, so that it grows without copying what it holds; only the first chunk grows by copying. */
 final class IntChunks {
-    private static final int BITS = 16;
+    private static final int BITS = 14;
     private static final int CHUNK = 1 << BITS;
     private static final int FIRST = 64;
 
@@ -33,6 +33,21 @@ final class IntChunks {
         }
         chunks[chunk][at] = value;
         size++;
+    }
+
+    /** How many elements it has room for before another array is needed. */
+    long capacity() {
+        return (used - 1L) * CHUNK + chunks[used - 1].length;
+    }
+
+    /** By how many bytes its arrays of elements grow when so many are added. */
+    long bytesToAdd(long count) {
+        long needed = size + count;
+        long capacity = capacity();
+        while (capacity < needed) {
+            capacity = capacity < CHUNK ? 2 * capacity : (needed + CHUNK - 1) / CHUNK * CHUNK;
+        }
+        return Integer.BYTES * (capacity - capacity());
     }
 
     /** The bytes of its arrays. */

@@ -37,6 +37,7 @@ public final class ReachabilitySearch {
     private final StateSpace space;
     private final IntChunks parents = new IntChunks();
     private final @Nullable StateEdges edges;
+    private final SearchMemory memory;
     private final IntPredicate keepsEdge;
     private final IntChunks deadlocks = new IntChunks();
     private final BitSet fired;
@@ -64,6 +65,8 @@ public final class ReachabilitySearch {
         symmetry = settings.symmetry().orElse(null);
         space = new StateSpace(net);
         edges = settings.edges().isPresent() ? new StateEdges() : null;
+        memory = new SearchMemory(
+                space, parents, deadlocks, edges, settings.budget().bytes());
         keepsEdge = settings.edges().orElse(transition -> false);
         fired = new BitSet(net.transitionCount());
         mostTokens = new int[net.placeCount()];
@@ -138,13 +141,9 @@ public final class ReachabilitySearch {
             end = SearchEnd.CANCELLED;
         } else if (isLate) {
             end = SearchEnd.TIME;
-        } else if (bytes() > settings.budget().bytes()) {
+        } else if (memory.room() < 0) {
             end = SearchEnd.MEMORY;
         }
-    }
-
-    private long bytes() {
-        return space.bytes() + parents.bytes() + (edges == null ? 0 : edges.bytes());
     }
 
     /** Looks at a state and adds those that follow it. */
@@ -163,8 +162,9 @@ public final class ReachabilitySearch {
             count = symmetry.withoutAlike(marking, enabled, count);
         }
         work += 1 + marking.length / PLACES + (long) count * (symmetry == null ? 1 : NORMALIZED);
-        if (edges != null) {
-            edges.begin();
+        if (!memory.beginEdges(count)) {
+            end = SearchEnd.MEMORY;
+            return;
         }
         for (int i = 0; i < count; i++) {
             int target = follow(enabled[i], number);
@@ -269,11 +269,11 @@ public final class ReachabilitySearch {
         SearchEnd reason = null;
         if (table.count() >= settings.budget().states() || !table.canGrow()) {
             reason = SearchEnd.STATES;
-        } else if (bytes() + table.bytesToGrow() > settings.budget().bytes()) {
+        } else if (!memory.makeRoom()) {
             reason = SearchEnd.MEMORY;
         }
         if (reason == null) {
-            checkAt = Math.min(table.nextGrowth(), settings.budget().states());
+            checkAt = Math.min(memory.nextGrowth(), settings.budget().states());
             return true;
         }
         if (table.find(next) < 0) {
@@ -287,11 +287,10 @@ public final class ReachabilitySearch {
             end = SearchEnd.TOKENS;
             return false;
         }
-        if (bytes() + space.bytes() > settings.budget().bytes()) {
+        if (!space.widen(place, (int) tokens, memory.room())) {
             end = SearchEnd.MEMORY;
             return false;
         }
-        space.widen(place, (int) tokens);
         state = new long[space.words()];
         next = new long[space.words()];
         space.pack(marking, state);

@@ -14,6 +14,11 @@ final class StateEdges {
         targets.add(target);
     }
 
+    /** By how many bytes it grows with so many edges and another state. */
+    long bytesToAdd(int edges) {
+        return starts.bytesToAdd(1) + targets.bytesToAdd(edges);
+    }
+
     long bytes() {
         return starts.bytes() + targets.bytes();
     }

@@ -10,7 +10,7 @@ final class StateSpace {
 
     private final PetriNet net;
     private StateLayout layout;
-    private StateTable table;
+    private final StateTable table;
     private PackedFiring firing;
     private long[] packed;
     private int widenings;
@@ -69,17 +69,26 @@ final class StateSpace {
         return table.bytes();
     }
 
-    /** Makes the field of a place wide enough for a number of tokens, and packs all states again; their numbers stay. */
-    void widen(int place, int tokens) {
+    /**
+     * Makes the field of a place wide enough for a number of tokens, and packs all states again; their numbers stay.
+     *
+     * @param room how many bytes more the states may take
+     * @return false, with nothing changed, where they would take more
+     */
+    boolean widen(int place, int tokens, long room) {
         int old = layout.bits(place);
         int wide = StateLayout.bitsFor(tokens);
         boolean all = ++widenings % SINGLE_WIDENINGS == 0;
         int[] bits = new int[net.placeCount()];
         Arrays.setAll(bits, p -> p == place || (all && layout.bits(p) == old) ? wide : layout.bits(p));
         StateLayout wider = new StateLayout(bits);
-        table = table.repacked(layout, wider);
+        if (table.bytesToRepack(wider.words()) > room) {
+            return false;
+        }
+        table.repack(layout, wider);
         layout = wider;
         firing = new PackedFiring(net, wider);
         packed = new long[wider.words()];
+        return true;
     }
 }

@@ -19,7 +19,10 @@ public final class ExampleNetNames {
             new Family("agents", 1, 1000, ExampleNets::agents),
             new Family("shared-memory", 1, 100, ExampleNets::sharedMemory),
             new Family("producer-consumer", 0, 1000, ExampleNets::producerConsumer),
-            new Family("erk", 1, 1000, ExampleNets::erk));
+            new Family("erk", 1, 1000, ExampleNets::erk),
+            new Family("circadian-clock", 1, 1000, ExampleNets::circadianClock),
+            new Family("peterson", 1, 30, MutualExclusionNets::peterson),
+            new Family("lamport", 1, 100, MutualExclusionNets::lamport));
 
     private record Family(String name, int least, int most, IntFunction<PetriNet> net) {
         String words() {

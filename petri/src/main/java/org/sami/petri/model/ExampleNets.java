@@ -183,4 +183,32 @@ public final class ExampleNets {
         net.move("k11", List.of("RKIPP_RP"), List.of("RKIP", "RP"));
         return net.build();
     }
+
+    /**
+     * A circadian clock of two genes, of which there are at most so many molecules of each of five kinds. Source: Vilar, Kueh, Barkai and Leibler, "Mechanisms of noise
+     * resistance in genetic oscillators", PNAS 99, 2002; {@code 4 (n+1)^5} states: 128 with one molecule, as in the Model Checking Contest.
+     */
+    public static PetriNet circadianClock(int molecules) {
+        PetriNetBuilder net = new PetriNetBuilder("circadian-clock-" + molecules);
+        List.of("mA", "mR", "A", "R", "AR").forEach(kind -> {
+            net.place(kind, 0);
+            net.place("no_" + kind, molecules);
+        });
+        for (String kind : List.of("A", "R")) {
+            String gene = "gene" + kind;
+            String messenger = "m" + kind;
+            net.place(gene, 1);
+            net.place(gene + "_A", 0);
+            net.move("bind" + kind, List.of(gene, "A"), List.of(gene + "_A", "no_A"));
+            net.move("unbind" + kind, List.of(gene + "_A", "no_A"), List.of(gene, "A"));
+            net.move("transcribe" + kind, List.of(gene, "no_" + messenger), List.of(gene, messenger));
+            net.move("activated" + kind, List.of(gene + "_A", "no_" + messenger), List.of(gene + "_A", messenger));
+            net.move("translate" + kind, List.of(messenger, "no_" + kind), List.of(messenger, kind));
+            net.move("decay" + messenger, List.of(messenger), List.of("no_" + messenger));
+            net.move("decay" + kind, List.of(kind), List.of("no_" + kind));
+        }
+        net.move("join", List.of("A", "R", "no_AR"), List.of("AR", "no_A", "no_R"));
+        net.move("decayAR", List.of("AR", "no_R"), List.of("R", "no_AR"));
+        return net.build();
+    }
 }

@@ -1,7 +1,5 @@
 package org.sami.petri.pnml;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntUnaryOperator;
@@ -36,13 +34,11 @@ record ColourBag(ColourSort sort, Map<Integer, Long> counts) {
 
     /** The pairs of its own colours and those of another one. */
     ColourBag with(ColourBag other) {
-        List<List<String>> parts = new ArrayList<>(sort.parts());
-        parts.addAll(other.sort.parts());
         int size = (int) other.sort.size();
         Map<Integer, Long> products = new TreeMap<>();
         counts.forEach((colour, count) ->
                 other.counts.forEach((last, many) -> products.merge(colour * size + last, count * many, Long::sum)));
-        return new ColourBag(new ColourSort(parts), products);
+        return new ColourBag(ColourSort.product(sort, other.sort), products);
     }
 
     ColourBag changed(IntUnaryOperator change) {

@@ -1,5 +1,6 @@
 package org.sami.petri.pnml;
 
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -10,10 +11,22 @@ final class ColourTerms {
 
     private static final long MOST_COLOURS = 10_000_000;
 
-    private final ColourDeclarations declared;
+    private static final Set<String> RELATIONS = Set.of(
+            "equality", "inequality", "lessthan", "lessthanorequal", "greaterthan", "greaterthanorequal", "ltp", "gtp");
 
-    ColourTerms(ColourDeclarations declared) {
+    private final ColourDeclarations declared;
+    private final boolean isOfColours;
+    private final IdentityHashMap<XmlTerm, ColourBag> all =
+            new IdentityHashMap<>(); // each transition's arcs ask for it again
+
+    /**
+     * Terms of a net.
+     *
+     * @param isOfColours whether an element of a partition stands for the colours in it, not for itself
+     */
+    ColourTerms(ColourDeclarations declared, boolean isOfColours) {
         this.declared = declared;
+        this.isOfColours = isOfColours;
     }
 
     /** Collects the variables of a term with their sorts, in the order in which they stand there. */
@@ -30,16 +43,27 @@ final class ColourTerms {
     ColourBag bag(XmlTerm term, Map<String, Integer> values) throws RefusedPnmlException {
         return switch (term.name()) {
             case "variable" -> variable(term, values);
-            case "useroperator" -> declared.constant(term);
+            case "useroperator" -> isOfColours ? declared.constantOfColours(term) : declared.constant(term);
             case "dotconstant" -> ColourBag.of(ColourSort.dot(), 0);
-            case "finiteintrangeconstant" -> number(term);
-            case "all" -> ColourBag.all(declared.sort(term.only()));
+            case "booleanconstant" ->
+                ColourBag.of(ColourSort.bool(), term.value().equals("true") ? 1 : 0);
+            case "finiteintrangeconstant" -> declared.number(term);
+            case "all" -> {
+                ColourBag known = all.get(term);
+                if (known == null) {
+                    known = ColourBag.all(declared.sort(term.only()));
+                    all.put(term, known);
+                }
+                yield known;
+            }
+            case "empty" -> new ColourBag(declared.sort(term.only()), Map.of());
             case "tuple" -> tuple(term, values);
             case "add" -> sum(term, values);
             case "subtract" -> difference(term, values);
             case "numberof", "scalarproduct" -> multiple(term, values);
             case "successor" -> next(term, values, 1);
             case "predecessor" -> next(term, values, -1);
+            case "partitionelementof" -> elementsOf(term, values);
             default -> throw unknown(term);
         };
     }
@@ -54,15 +78,6 @@ final class ColourTerms {
             throw new RefusedPnmlException("E-TERM", term.line(), "a variable has no value here: " + term.reference());
         }
         return ColourBag.of(declared.variable(term), value);
-    }
-
-    private ColourBag number(XmlTerm term) throws RefusedPnmlException {
-        ColourSort range = declared.sort(term.only());
-        int colour = range.parts().get(0).indexOf(term.value());
-        if (colour < 0) {
-            throw new RefusedPnmlException("E-TERM", term.line(), term.value() + " is not in its range");
-        }
-        return ColourBag.of(range, colour);
     }
 
     private ColourBag tuple(XmlTerm term, Map<String, Integer> values) throws RefusedPnmlException {
@@ -117,6 +132,16 @@ final class ColourTerms {
         return bag(parts.get(1), values).times(Long.parseLong(number.value()));
     }
 
+    private ColourBag elementsOf(XmlTerm term, Map<String, Integer> values) throws RefusedPnmlException {
+        PartitionSort partition = declared.partitionOf(term);
+        ColourBag colours = bag(term.arguments(1).get(0), values);
+        if (!colours.sort().fits(partition.base())) {
+            throw new RefusedPnmlException(
+                    "E-TERM", term.line(), "partition " + term.reference() + " is of another sort than its argument");
+        }
+        return partition.elementsOf(colours);
+    }
+
     private ColourBag next(XmlTerm term, Map<String, Integer> values, int step) throws RefusedPnmlException {
         ColourBag bag = bag(term.arguments(1).get(0), values);
         if (bag.sort().parts().size() != 1) {
@@ -136,8 +161,25 @@ final class ColourTerms {
                 !isTrue(term.arguments(2).get(0), values)
                         || isTrue(term.arguments(2).get(1), values);
             case "booleanconstant" -> term.value().equals("true");
+            case "variable" -> isTrueColour(term, values);
+            case "contains" -> contains(term.arguments(2), values);
             default -> compare(term, values);
         };
+    }
+
+    private boolean isTrueColour(XmlTerm term, Map<String, Integer> values) throws RefusedPnmlException {
+        ColourBag colour = variable(term, values);
+        if (!colour.sort().equals(ColourSort.bool())) {
+            throw new RefusedPnmlException("E-TERM", term.line(), term.reference() + " is neither true nor false");
+        }
+        return colour.counts().containsKey(1);
+    }
+
+    /** Whether the first multiset has all of the second one. */
+    private boolean contains(List<XmlTerm> parts, Map<String, Integer> values) throws RefusedPnmlException {
+        ColourBag first = bag(parts.get(0), values);
+        ColourBag second = fitting(first, bag(parts.get(1), values), parts.get(1));
+        return first.plus(second, -1).counts().values().stream().allMatch(count -> count >= 0);
     }
 
     private boolean hasOne(XmlTerm term, Map<String, Integer> values, boolean truth) throws RefusedPnmlException {
@@ -150,8 +192,7 @@ final class ColourTerms {
     }
 
     private boolean compare(XmlTerm term, Map<String, Integer> values) throws RefusedPnmlException {
-        if (!Set.of("equality", "inequality", "lessthan", "lessthanorequal", "greaterthan", "greaterthanorequal")
-                .contains(term.name())) {
+        if (!RELATIONS.contains(term.name())) {
             throw unknown(term);
         }
         List<XmlTerm> parts = term.arguments(2);
@@ -165,7 +206,7 @@ final class ColourTerms {
             return NOT_STRICT.contains(term.name());
         }
         boolean isLess = only(first, term) < only(second, term);
-        return isLess == term.name().startsWith("less");
+        return isLess == (term.name().startsWith("less") || term.name().equals("ltp"));
     }
 
     private static int only(ColourBag bag, XmlTerm term) throws RefusedPnmlException {

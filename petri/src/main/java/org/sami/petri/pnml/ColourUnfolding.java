@@ -17,25 +17,26 @@ import org.sami.petri.pnml.PnmlParts.Reference;
  * Source: ISO/IEC 15909-1, section 10. For one thread, once.
  */
 final class ColourUnfolding {
-    /** So many choices of colours are tried in all transitions together. */
-    private static final long MOST_CHOICES = 20_000_000;
-
     private final PnmlParts coloured;
     private final FindingList findings;
     private final PnmlLimits limits;
     private final ColourDeclarations declared;
     private final ColourTerms terms;
+    private final ColourTerms termsOfColours;
     private final PnmlParts plain = new PnmlParts();
     private final Map<String, ColourSort> sorts = new HashMap<>();
     private final Map<String, String> references = new HashMap<>();
-    private long choices;
+    private long nodes;
+    private long arcsAtLeast;
+    private long tried;
 
     private ColourUnfolding(PnmlParts coloured, FindingList findings, PnmlLimits limits) throws RefusedPnmlException {
         this.coloured = coloured;
         this.findings = findings;
         this.limits = limits;
         declared = new ColourDeclarations(coloured.declarations, limits.nodes());
-        terms = new ColourTerms(declared);
+        terms = new ColourTerms(declared, false);
+        termsOfColours = new ColourTerms(declared, true);
     }
 
     /** The parts of the unfolded net; what is wrong in a place, transition or arc is a finding. */
@@ -45,6 +46,7 @@ final class ColourUnfolding {
 
     private PnmlParts unfold() throws RefusedPnmlException {
         plain.name = coloured.name;
+        countPlaces();
         for (Node place : coloured.places) {
             place(place);
         }
@@ -71,6 +73,9 @@ final class ColourUnfolding {
                     .add(arc);
         }
         for (Node transition : coloured.transitions) {
+            count(transition, arcs.getOrDefault(transition.xmlId(), List.of()));
+        }
+        for (Node transition : coloured.transitions) {
             transition(transition, arcs.getOrDefault(transition.xmlId(), List.of()));
         }
         return plain;
@@ -88,18 +93,36 @@ final class ColourUnfolding {
         return end;
     }
 
-    private void place(Node place) throws RefusedPnmlException {
-        XmlTerm type = place.terms().get("type");
-        ColourSort sort = type == null ? ColourSort.dot() : declared.sort(type);
-        if (sort.size() + plain.nodes() > limits.nodes()) {
-            throw new RefusedPnmlException(
-                    "E-SIZE", place.line(), "the unfolded net has more than " + limits.nodes() + " nodes");
+    /** Refuses too many places before the first one is made. */
+    private void countPlaces() throws RefusedPnmlException {
+        for (Node place : coloured.places) {
+            XmlTerm type = place.terms().get("type");
+            ColourSort sort = type == null ? ColourSort.dot() : declared.sort(type);
+            sorts.put(place.xmlId(), sort);
+            nodes += sort.size();
+            refuseNodes(place);
         }
-        sorts.put(place.xmlId(), sort);
+    }
+
+    private void refuseNodes(Node at) throws RefusedPnmlException {
+        if (nodes > limits.nodes()) {
+            throw new RefusedPnmlException(
+                    "E-SIZE", at.line(), "the unfolded net has more than " + limits.nodes() + " nodes");
+        }
+    }
+
+    private void refuseArcs(long arcs, int line) throws RefusedPnmlException {
+        if (arcs > limits.arcs()) {
+            throw new RefusedPnmlException("E-SIZE", line, "the unfolded net has more than " + limits.arcs() + " arcs");
+        }
+    }
+
+    private void place(Node place) throws RefusedPnmlException {
+        ColourSort sort = sorts.getOrDefault(place.xmlId(), ColourSort.dot());
         XmlTerm initial = place.terms().get("hlinitialMarking");
         Map<Integer, Long> tokens = Map.of();
         if (initial != null) {
-            ColourBag bag = terms.bag(initial, Map.of());
+            ColourBag bag = bag(initial, Map.of(), sort);
             if (!bag.sort().fits(sort)) {
                 findings.error(
                         "E-TERM",
@@ -127,12 +150,18 @@ final class ColourUnfolding {
         }
     }
 
+    /** The multiset of a term; where it is not of a sort, that with the colours of partitions' elements in their place. */
+    private ColourBag bag(XmlTerm term, Map<String, Integer> values, ColourSort sort) throws RefusedPnmlException {
+        ColourBag bag = terms.bag(term, values);
+        return bag.sort().fits(sort) ? bag : termsOfColours.bag(term, values);
+    }
+
     /** An id that no node of the file has: attributes have no line ends. */
     private static String instance(String xmlId, long number) {
         return xmlId + "\n" + number;
     }
 
-    private void transition(Node transition, List<Arc> arcs) throws RefusedPnmlException {
+    private Map<String, ColourSort> variables(Node transition, List<Arc> arcs) throws RefusedPnmlException {
         Map<String, ColourSort> variables = new LinkedHashMap<>();
         XmlTerm condition = transition.terms().get("condition");
         if (condition != null) {
@@ -144,35 +173,52 @@ final class ColourUnfolding {
                 terms.variables(inscription, variables);
             }
         }
-        List<String> names = List.copyOf(variables.keySet());
-        Map<String, Integer> values = new HashMap<>();
-        names.forEach(name -> values.put(name, 0));
-        boolean isEmpty = variables.values().stream().anyMatch(sort -> sort.size() == 0);
-        for (long number = 0; !isEmpty; number++) {
-            if (++choices > MOST_CHOICES) {
-                throw new RefusedPnmlException(
-                        "E-SIZE",
-                        transition.line(),
-                        "the variables have more than " + MOST_CHOICES + " choices of colours");
-            }
-            if (condition == null || terms.isTrue(condition, values)) {
-                add(transition, arcs, variables, values, number);
-            }
-            isEmpty = !next(names, variables, values);
-        }
+        return variables;
     }
 
-    /** Goes on to the next choice of colours; false after the last one. */
-    private static boolean next(List<String> names, Map<String, ColourSort> sorts, Map<String, Integer> values) {
-        for (int i = names.size() - 1; i >= 0; i--) {
-            int value = values.merge(names.get(i), 1, Integer::sum);
-            ColourSort sort = sorts.get(names.get(i));
-            if (sort != null && value < sort.size()) {
-                return true;
+    private ColourChoices choices(Node transition, Map<String, ColourSort> variables) throws RefusedPnmlException {
+        XmlTerm condition = transition.terms().get("condition");
+        return new ColourChoices(declared, terms, variables, condition == null ? List.of() : List.of(condition));
+    }
+
+    /** Counts the choices of a transition, and the arcs that they have at least; refuses too many before the first one is made. */
+    private void count(Node transition, List<Arc> arcs) throws RefusedPnmlException {
+        ColourChoices chosen = choices(transition, variables(transition, arcs));
+        long arcsOfEach = 0;
+        for (long number = 0; chosen.next(tried, transition.line()); number++) {
+            if (number == 0) {
+                arcsOfEach = leastArcs(arcs); // terms of a transition that never fires are not looked at
             }
-            values.put(names.get(i), 0);
+            nodes++;
+            arcsAtLeast += arcsOfEach;
+            refuseNodes(transition);
+            refuseArcs(arcsAtLeast, transition.line());
         }
-        return false;
+        tried += chosen.tried();
+    }
+
+    private long leastArcs(List<Arc> arcs) throws RefusedPnmlException {
+        long least = 0;
+        for (Arc arc : arcs) {
+            XmlTerm inscription = arc.terms().get("hlinscription");
+            if (arc.kind() == ArcKind.RESET) {
+                String place = end(sorts.containsKey(end(arc.source())) ? arc.source() : arc.target());
+                least += sorts.getOrDefault(place, ColourSort.dot()).size();
+            } else {
+                least += inscription == null
+                        ? 1
+                        : ColourBounds.of(inscription, declared).least();
+            }
+        }
+        return least;
+    }
+
+    private void transition(Node transition, List<Arc> arcs) throws RefusedPnmlException {
+        Map<String, ColourSort> variables = variables(transition, arcs);
+        ColourChoices chosen = choices(transition, variables);
+        for (long number = 0; chosen.next(0, transition.line()); number++) {
+            add(transition, arcs, variables, chosen.values(), number);
+        }
     }
 
     private void add(
@@ -191,10 +237,6 @@ final class ColourUnfolding {
         String id = instance(transition.xmlId(), number);
         plain.transitions.add(
                 new Node(id, transition.id() + suffix, transition.name() + suffix, 0, transition.line(), Map.of()));
-        if (plain.nodes() > limits.nodes()) {
-            throw new RefusedPnmlException(
-                    "E-SIZE", transition.line(), "the unfolded net has more than " + limits.nodes() + " nodes");
-        }
         for (Arc arc : arcs) {
             add(arc, id, values);
         }
@@ -205,7 +247,7 @@ final class ColourUnfolding {
         String place = end(isFromPlace ? arc.source() : arc.target());
         ColourSort sort = sorts.getOrDefault(place, ColourSort.dot());
         XmlTerm inscription = arc.terms().get("hlinscription");
-        ColourBag bag = inscription == null ? ColourBag.all(ColourSort.dot()) : terms.bag(inscription, values);
+        ColourBag bag = inscription == null ? ColourBag.all(ColourSort.dot()) : bag(inscription, values, sort);
         if (arc.kind() == ArcKind.RESET) {
             bag = ColourBag.all(sort);
         }
@@ -229,9 +271,6 @@ final class ColourUnfolding {
                         Map.of()));
             }
         }
-        if (plain.arcs.size() > limits.arcs()) {
-            throw new RefusedPnmlException(
-                    "E-SIZE", arc.line(), "the unfolded net has more than " + limits.arcs() + " arcs");
-        }
+        refuseArcs(plain.arcs.size(), arc.line());
     }
 }

@@ -2,10 +2,13 @@ package org.sami.petri.pnml;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import javax.xml.stream.XMLStreamException;
 
 /** Reads terms and declarations of symmetric nets; of all of them together there may be as many as the limits allow. For one thread. */
 final class TermParser {
+    private static final Set<String> NAMED = Set.of("feconstant", "partitionelement");
+
     private final XmlInput xml;
     private final PnmlLimits limits;
     private int count;
@@ -21,10 +24,10 @@ final class TermParser {
             throw new RefusedPnmlException("E-SIZE", xml.line(), "the net has more than " + limits.nodes() + " terms");
         }
         String name = xml.name();
-        String reference = xml.attribute("declaration") + xml.attribute("refvariable");
+        String reference = xml.attribute("declaration") + xml.attribute("refvariable") + xml.attribute("refpartition");
         String value = name.equals("finiteintrange")
                 ? xml.attribute("start") + ".." + xml.attribute("end")
-                : xml.attribute(name.equals("feconstant") ? "name" : "value");
+                : xml.attribute(NAMED.contains(name) ? "name" : "value");
         String id = xml.attribute("id");
         int line = xml.line();
         List<XmlTerm> inner = new ArrayList<>();

@@ -8,12 +8,17 @@ import java.util.List;
  *
  * @param name of the element
  * @param id its attribute {@code id}; empty where it is absent, as with the other attributes
- * @param reference what it refers to: the attribute {@code declaration} or {@code refvariable}
- * @param value its attribute {@code value}, or {@code start..end} of a range
+ * @param reference what it refers to: the attribute {@code declaration}, {@code refvariable} or {@code refpartition}
+ * @param value its attribute {@code value}, {@code name} of colours and elements of partitions, or {@code start..end} of a range
  */
 record XmlTerm(String name, String id, String reference, String value, List<XmlTerm> parts, int line) {
     XmlTerm {
         parts = List.copyOf(parts);
+    }
+
+    /** What people call it: its name, or its id where it has none. */
+    String nameOrId() {
+        return value.isEmpty() ? id : value;
     }
 
     /** The only element in it; refuses none and several. */

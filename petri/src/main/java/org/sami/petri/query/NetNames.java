@@ -16,6 +16,11 @@ public interface NetNames {
     /** Markings that are ends, so no deadlocks, and that {@code ended} means; empty where there is no such word. */
     Optional<MarkingCondition> end();
 
+    /** Markings in which one thing stands in several places, or twice in one, which {@code duplicated} means; empty where there is no such word. */
+    default Optional<MarkingCondition> duplicated() {
+        return Optional.empty();
+    }
+
     /** The ids of a net's nodes. */
     static NetNames of(PetriNet net) {
         return new NetNames() {

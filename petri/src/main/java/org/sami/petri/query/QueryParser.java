@@ -167,6 +167,8 @@ public final class QueryParser {
                     .orElse(new NothingEnabled(net));
         } else if (names.end().isPresent() && words.skip("ended")) {
             part = names.end().get();
+        } else if (names.duplicated().isPresent() && words.skip("duplicated")) {
+            part = names.duplicated().get();
         } else if (words.skip("enabled")) {
             words.expect("(");
             part = enabled();

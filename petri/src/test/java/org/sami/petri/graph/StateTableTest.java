@@ -27,6 +27,9 @@ class StateTableTest {
     void statesThatDifferAnywhereAreDifferent(IntFunction<long[]> states) {
         StateTable table = new StateTable(states.apply(0).length);
         for (int i = 0; i < COUNT; i++) {
+            if (table.isFull()) {
+                table.grow(table.slots() * 7 / 4);
+            }
             assertThat(table.add(states.apply(i))).isEqualTo(i);
         }
 

@@ -87,10 +87,10 @@ class SpoiltSearchTest extends SpoiltLines {
                         "for (int other : raising(place)) {\n                    set.set(other);\n                }",
                         ""),
                 graph(
-                        "a state keeps its slot in the larger table",
+                        "after the last slot comes none",
                         "StateTable",
-                        "grow();\n            slot = slotOf(state);",
-                        "grow();"),
+                        "slot + 1 == slots.length() ? 0 : slot + 1",
+                        "slot + 1"),
                 graph(
                         "states that begin alike are one",
                         "StateTable",
@@ -101,12 +101,16 @@ class SpoiltSearchTest extends SpoiltLines {
                         "StateTable",
                         "long at = (long) number * words;",
                         "long at = number;"),
-                graph("the larger table forgets", "StateTable", "slots[slot] = number + 1;", "slots[slot] = number;"),
+                graph(
+                        "the larger table forgets",
+                        "StateTable",
+                        "slots.set(slot, number + 1);",
+                        "slots.set(slot, number);"),
                 graph(
                         "states of the larger table push out others",
                         "StateTable",
-                        "while (slots[slot] != 0) {\n",
-                        "while (slots[slot] == Integer.MIN_VALUE) {\n"),
+                        "while (slots.get(slot) != 0) {\n",
+                        "while (slots.get(slot) == Integer.MIN_VALUE) {\n"),
                 graph("a state that is packed again is the first", "StateTable", "load(number, old);", "load(0, old);"),
                 graph(
                         "a field crosses words",

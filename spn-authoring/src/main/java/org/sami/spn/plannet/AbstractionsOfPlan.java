@@ -20,18 +20,13 @@ final class AbstractionsOfPlan {
     void list() {
         Plan plan = work.plan();
         for (Place place : plan.places()) {
-            if (!place.subMissions().isEmpty()) {
-                list.wider(
-                        place.id(),
-                        "the sub-mission of \"" + title(place)
-                                + "\" may end at any time and bring back any of its tokens");
-            }
             place.outputs().stream()
                     .flatMap(output -> work.vocabulary().event(output.type()).stream())
                     .filter(type -> type.role() == EventRole.ABORT_MISSION || type.role() == EventRole.COMPLETE_MISSION)
                     .filter(type -> !place.end())
                     .forEach(type -> list.wider(
-                            place.id(), "\"" + title(place) + "\" ends the mission; the net lets it go on as well"));
+                            work.path(place.id()),
+                            "\"" + title(place) + "\" ends the mission; the net lets it go on as well"));
         }
         for (Transition t : plan.transitions()) {
             transition(plan, t);
@@ -52,12 +47,14 @@ final class AbstractionsOfPlan {
     private void transition(Plan plan, Transition t) {
         if (t.inputs().isEmpty()) {
             if (plan.transitions().size() > 1) {
-                list.wider(t.id(), "\"" + title(t) + "\" fires at once; the net lets other things happen before");
+                list.wider(
+                        work.path(t.id()),
+                        "\"" + title(t) + "\" fires at once; the net lets other things happen before");
             }
         } else {
             t.inputs()
                     .forEach(input -> list.wider(
-                            t.id(),
+                            work.path(t.id()),
                             "\""
                                     + work.vocabulary()
                                             .event(input.type())
@@ -67,9 +64,9 @@ final class AbstractionsOfPlan {
                                     + "\" whenever it could fire, again and again, and name any of those who"
                                     + " are there"));
         }
-        TransitionCases.choosing(plan, t)
+        TransitionLooks.choosing(plan, t)
                 .ifPresent(r -> list.wider(
-                        t.id(),
+                        work.path(t.id()),
                         "\"" + title(t) + "\" selects the " + r.n()
                                 + " oldest tokens; the net lets it select any as many"));
     }

@@ -72,6 +72,17 @@ final class CaseArcs {
         plus.put(place, 1);
     }
 
+    /** Empty afterwards, whatever was to be added before. */
+    void clear(int place) {
+        emptied.add(place);
+        plus.remove(place);
+    }
+
+    /** How many tokens are added to a place. */
+    int added(int place) {
+        return plus.getOrDefault(place, 0);
+    }
+
     boolean needs(int place) {
         return least.containsKey(place) || minus.containsKey(place);
     }

@@ -15,6 +15,9 @@ final class GenericOption {
     final Set<String> left = new TreeSet<>();
     /** How many each group of requirements with numbers selects. */
     final Map<String, Integer> picked = new TreeMap<>();
+    /** How many of those that are selected sub-missions brought back. */
+    int returned;
+
     /** The groups that leave some. */
     final Set<String> more = new TreeSet<>();
 }

@@ -106,6 +106,7 @@ final class GenericOptions {
 
     private GenericOption option(int[] counts, boolean isCounted, boolean isExact, int any, int back, int made) {
         GenericOption option = new GenericOption();
+        option.returned = back + made;
         int here = Arrays.stream(counts).sum();
         boolean isOne = !possible.isCopied(PlanToken.GENERIC);
         for (int i = 0; i < counts.length && isCounted; i++) {
@@ -113,7 +114,7 @@ final class GenericOptions {
             option.arcs.atLeast(at, counts[i]);
             int most = isExact ? followed + 1 : selectionsMost();
             boolean isTop = counts[i] >= most;
-            if (!possible.hasSub(spots.get(i)) && !isTop && !(isOne && here > 0)) {
+            if (!possible.isHeld(spots.get(i)) && !isTop && !(isOne && here > 0)) {
                 option.arcs.below(at, counts[i] + 1);
             }
             if (isTop && isExact) {

@@ -8,20 +8,27 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalInt;
 import java.util.function.Predicate;
+import java.util.function.ToIntBiFunction;
 import org.sami.petri.net.PetriNetBuilder;
 import org.sami.spn.flow.TokenType;
+import org.sami.spn.model.InEdge;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 
 /** The places of the net for one mission, and what each stands for. For one thread. */
 final class MissionPlaces {
     private final PetriNetBuilder net;
-    private final List<PlanNetPlace> all = new ArrayList<>();
+    private final List<PlanNetPlace> all;
+    /** Of a sub-mission: the path to its places; else empty. */
+    private final String path;
+
+    private final List<Integer> owned = new ArrayList<>();
     private final Map<String, Map<PlanToken, Integer>> tokens = new LinkedHashMap<>();
     private final Map<String, Integer> nobody = new HashMap<>();
     private final Map<String, Map<String, Counter>> counters = new HashMap<>();
     private final Map<PlanToken, Integer> unmade = new HashMap<>();
     private final Map<String, Integer> occasions = new HashMap<>();
+    private final Map<String, Integer> heard = new HashMap<>();
     private final Map<Integer, Integer> initial = new HashMap<>();
     private final int running;
 
@@ -30,20 +37,53 @@ final class MissionPlaces {
 
     /** @param robots how many robots there are */
     MissionPlaces(PetriNetBuilder net, Plan plan, List<PlanToken> team, PossibleTokens possible, int robots) {
+        this(
+                net,
+                new ArrayList<>(),
+                "",
+                plan,
+                team,
+                possible,
+                (place, token) -> place.start() && !token.isMade() ? token.equals(PlanToken.ROBOTS) ? robots : 1 : 0,
+                true);
+    }
+
+    /** The places of a sub-mission, in the same net, with a path in front of their ids. */
+    MissionPlaces(
+            MissionPlaces parent,
+            String path,
+            Plan plan,
+            List<PlanToken> team,
+            PossibleTokens possible,
+            ToIntBiFunction<Place, PlanToken> initially,
+            boolean runs) {
+        this(parent.net, parent.all, path, plan, team, possible, initially, runs);
+    }
+
+    private MissionPlaces(
+            PetriNetBuilder net,
+            List<PlanNetPlace> all,
+            String path,
+            Plan plan,
+            List<PlanToken> team,
+            PossibleTokens possible,
+            ToIntBiFunction<Place, PlanToken> initially,
+            boolean runs) {
         this.net = net;
-        running = add("running", "the mission runs", 1, PlanNetPlace.Role.CONTROL, "", "");
+        this.all = all;
+        this.path = path;
+        running = control("running", "the mission runs", runs ? 1 : 0);
         for (Place place : plan.places()) {
             Map<PlanToken, Integer> here = new LinkedHashMap<>();
             for (PlanToken token : team) {
                 if (possible.comes(place.id(), token)) {
-                    boolean atStart = place.start() && !token.isMade();
                     here.put(
                             token,
                             add(
                                     place.id() + "." + token.label(),
                                     title(place) + ": " + token.label(),
-                                    !atStart ? 0 : token.equals(PlanToken.ROBOTS) ? robots : 1,
-                                    PlanNetPlace.Role.TOKEN,
+                                    initially.applyAsInt(place, token),
+                                    path.isEmpty() ? PlanNetPlace.Role.TOKEN : PlanNetPlace.Role.CHILD_TOKEN,
                                     place.id(),
                                     token.label()));
                 }
@@ -56,14 +96,14 @@ final class MissionPlaces {
                                 place.id() + ".nobody",
                                 title(place) + ": visits by nobody",
                                 0,
-                                PlanNetPlace.Role.NOBODY,
+                                path.isEmpty() ? PlanNetPlace.Role.NOBODY : PlanNetPlace.Role.CHILD_NOBODY,
                                 place.id(),
                                 ""));
             }
         }
-        for (PlanToken token : team) {
-            if (token.isMade()) {
-                unmade.put(
+        team.stream()
+                .filter(PlanToken::isMade)
+                .forEach(token -> unmade.put(
                         token,
                         add(
                                 "unmade." + token.label(),
@@ -71,9 +111,7 @@ final class MissionPlaces {
                                 1,
                                 PlanNetPlace.Role.CONTROL,
                                 "",
-                                token.label()));
-            }
-        }
+                                token.label())));
     }
 
     private static String title(Place place) {
@@ -82,19 +120,36 @@ final class MissionPlaces {
 
     private int add(
             String id, String title, int tokensAtFirst, PlanNetPlace.Role role, String planPlace, String token) {
-        String free = id;
+        String free = path + id;
         for (int i = 2; net.hasPlace(free); i++) {
-            free = id + "~" + i;
+            free = path + id + "~" + i;
         }
-        all.add(new PlanNetPlace(role, planPlace, token));
-        int number = net.place(free, title, tokensAtFirst);
+        all.add(new PlanNetPlace(role, planPlace.isEmpty() ? "" : path + planPlace, token));
+        int number = net.place(free, path + title, tokensAtFirst);
         initial.put(number, tokensAtFirst);
+        owned.add(number);
         return number;
     }
 
     /** A control place; a second one with an id gets another. */
     int control(String id, String title, int initial) {
         return add(id, title, initial, PlanNetPlace.Role.CONTROL, "", "");
+    }
+
+    /** The place that says that a token came back from a sub-mission. */
+    int back(String place, PlanToken token) {
+        return add(
+                place + ".back." + token.label(),
+                place + ": " + token.label() + " came back",
+                0,
+                PlanNetPlace.Role.CHILD_TOKEN,
+                place + "/",
+                token.label());
+    }
+
+    /** The places of the net that this mission has, besides those of its sub-missions. */
+    List<Integer> owned() {
+        return owned;
     }
 
     /** What places stand for, by their numbers. */
@@ -104,6 +159,11 @@ final class MissionPlaces {
 
     int running() {
         return running;
+    }
+
+    /** Whether the mission runs at first: a sub-mission that is started later does not. */
+    boolean runsAtFirst() {
+        return initial.getOrDefault(running, 0) > 0;
     }
 
     /** The place of a token in a plan's place; empty where it never comes there. */
@@ -139,6 +199,30 @@ final class MissionPlaces {
         return found == null ? OptionalInt.empty() : OptionalInt.of(found);
     }
 
+    /** Notes what entering a plan's place, or leaving it, is an occasion for. */
+    void occasions(Plan plan, String place, boolean isEntered, CaseArcs arcs) {
+        plan.inEdges().stream()
+                .filter(edge -> edge.place().equals(place))
+                .map(InEdge::transition)
+                .distinct()
+                .forEach(t -> {
+                    occasion(t).ifPresent(arcs::set);
+                    if (isEntered && heard.containsKey(t)) {
+                        arcs.set(Objects.requireNonNull(heard.get(t), t));
+                    }
+                });
+    }
+
+    /** The mark that an event may have come to a transition and waits; empty where it needs none. */
+    OptionalInt heard(String transition) {
+        Integer found = heard.get(transition);
+        return found == null ? OptionalInt.empty() : OptionalInt.of(found);
+    }
+
+    void addHeard(String transition, boolean atStart) {
+        heard.put(transition, control("heard." + transition, "an event may wait for " + transition, atStart ? 1 : 0));
+    }
+
     void addOccasion(String transition, boolean atStart) {
         occasions.put(
                 transition,
@@ -166,8 +250,15 @@ final class MissionPlaces {
         return known.place();
     }
 
-    private int initialIn(String place, PlanToken token) {
-        return initial.getOrDefault(in(place).get(token), 0);
+    /** How many of a token stand in a plan's place at first. */
+    int initialIn(String place, PlanToken token) {
+        Integer at = in(place).get(token);
+        return at == null ? 0 : initial.getOrDefault(at, 0);
+    }
+
+    /** Whether tokens stand in a plan's place at first. */
+    boolean startsWith(String place) {
+        return in(place).values().stream().anyMatch(at -> initial.getOrDefault(at, 0) > 0);
     }
 
     /** The counters of a plan's place that count a token. */

@@ -2,7 +2,7 @@ package org.sami.spn.plannet;
 
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.HashMap;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,7 +10,6 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.stream.IntStream;
 import org.sami.petri.graph.FiringSequence;
 import org.sami.petri.net.FiringRule;
 import org.sami.petri.net.PetriNet;
@@ -32,6 +31,7 @@ public final class PlanNet {
     private final List<PlanNetFiring> firings;
     private final List<Abstraction> abstractions;
     private final int beyond;
+    private final Map<String, Integer> open;
     private final Optional<CountedParts> counted;
     private final Optional<BitSet> sure;
 
@@ -42,6 +42,7 @@ public final class PlanNet {
             List<PlanNetFiring> firings,
             List<Abstraction> abstractions,
             int beyond,
+            Map<String, Integer> open,
             Optional<CountedParts> counted,
             Optional<BitSet> sure) {
         this.request = request;
@@ -50,6 +51,7 @@ public final class PlanNet {
         this.firings = List.copyOf(firings);
         this.abstractions = List.copyOf(abstractions);
         this.beyond = beyond;
+        this.open = Map.copyOf(open);
         this.counted = counted;
         this.sure = sure.map(all -> (BitSet) all.clone());
     }
@@ -90,14 +92,30 @@ public final class PlanNet {
     }
 
     /**
-     * The net of a plan in which robots are counted where that can be; with several robots else one that follows whether any are in a place; else one that names them.
+     * The net of a plan in which sub-missions are followed, with robots that have names, where that is asked for and can be; else robots are counted where that can be; with several robots else one that follows whether any are in a place; else one that names them.
      *
      * @throws PlanNetTooLargeException if it would have more transitions than asked for
      * @throws IllegalArgumentException if there is no such plan, or it has no start place
      */
     public static PlanNet smallest(PlanNetRequest request) throws PlanNetTooLargeException {
+        Optional<PlanNet> following = following(request);
+        if (following.isPresent()) {
+            return following.get();
+        }
         Optional<PlanNet> counted = counted(request);
         return counted.isPresent() ? counted.get() : presentOrNamed(request);
+    }
+
+    /** With robots that have names, and with its sub-missions, as far as that is not too large. */
+    private static Optional<PlanNet> following(PlanNetRequest request) {
+        if (request.depth() == 0) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(of(request)).filter(PlanNet::followsSubMissions);
+        } catch (PlanNetTooLargeException tooLarge) {
+            return Optional.empty();
+        }
     }
 
     private static PlanNet presentOrNamed(PlanNetRequest request) throws PlanNetTooLargeException {
@@ -152,35 +170,7 @@ public final class PlanNet {
 
     /** Ways to exchange two robots, or two tasks that are made, next to each other: for each the place that each place is exchanged for. */
     public List<int[]> exchanges() {
-        List<int[]> exchanges = new ArrayList<>();
-        List<String> robots = hasNames() ? request.robots() : List.of();
-        for (int i = 0; i + 1 < robots.size(); i++) {
-            exchanges.add(exchange(robots.get(i), robots.get(i + 1)));
-        }
-        for (int i = 1; i < request.madeTasks(); i++) {
-            exchanges.add(exchange(
-                    PlanToken.madeTask(i, "").label(),
-                    PlanToken.madeTask(i + 1, "").label()));
-        }
-        return exchanges;
-    }
-
-    private int[] exchange(String one, String other) {
-        int[] image = IntStream.range(0, places.size()).toArray();
-        Map<String, Integer> ofOther = new HashMap<>();
-        for (int i = 0; i < image.length; i++) {
-            if (places.get(i).token().equals(other)) {
-                ofOther.put(places.get(i).planPlace(), i);
-            }
-        }
-        for (int i = 0; i < image.length; i++) {
-            Integer target = ofOther.get(places.get(i).planPlace());
-            if (places.get(i).token().equals(one) && target != null) {
-                image[i] = target;
-                image[target] = i;
-            }
-        }
-        return image;
+        return new TokenExchanges(places).of(hasNames() ? request.robots() : List.of(), request.madeTasks());
     }
 
     /** The places of generic tokens and of visits by nobody, which alone can gather without bound. */
@@ -189,7 +179,10 @@ public final class PlanNet {
         for (int i = 0; i < places.size(); i++) {
             PlanNetPlace place = places.get(i);
             found.set(
-                    i, place.role() == PlanNetPlace.Role.NOBODY || place.token().equals(PlanToken.GENERIC.label()));
+                    i,
+                    place.role() == PlanNetPlace.Role.NOBODY
+                            || place.role() == PlanNetPlace.Role.CHILD_NOBODY
+                            || place.token().equals(PlanToken.GENERIC.label()));
         }
         return found;
     }
@@ -202,6 +195,11 @@ public final class PlanNet {
     /** Where the net is not exactly what the engine does; empty where it is. */
     public List<Abstraction> abstractions() {
         return abstractions;
+    }
+
+    /** Whether it follows only a part of what the plan can do: then nothing that it never does is proved for the plan. */
+    public boolean isPartial() {
+        return abstractions.stream().anyMatch(a -> a.kind() == Abstraction.Kind.PARTIAL);
     }
 
     /** What a place of the net stands for. */
@@ -217,6 +215,47 @@ public final class PlanNet {
     /** The place of the net that is marked once there were more tokens at once than it follows: what it says from then on is no proof. */
     public int beyond() {
         return beyond;
+    }
+
+    /** Whether it follows sub-missions. */
+    public boolean followsSubMissions() {
+        return !open.isEmpty();
+    }
+
+    /** The places of the net that are marked while the sub-mission of a place that is followed is left open all the same. */
+    public Collection<Integer> open() {
+        return open.values();
+    }
+
+    /**
+     * Whether the net does not know what a sub-mission does, as it is left open or not followed at all.
+     *
+     * @param place the path to its place, as {@code swap} or {@code swap/go}
+     */
+    public boolean isOpen(int[] netMarking, String place) {
+        Integer at = open.get(place);
+        int slash = place.lastIndexOf('/');
+        return at == null || netMarking[at] > 0 || (slash >= 0 && isOpen(netMarking, place.substring(0, slash)));
+    }
+
+    /**
+     * What a marking of the net says of the tokens of a sub-mission that is followed, by the paths of its places.
+     *
+     * @param path to its places, as {@code swap/}
+     */
+    public SortedMap<String, SortedMap<String, Integer>> inside(int[] netMarking, String path) {
+        SortedMap<String, SortedMap<String, Integer>> inside = new TreeMap<>();
+        for (int i = 0; i < netMarking.length; i++) {
+            PlanNetPlace is = places.get(i);
+            boolean isOfIt = is.role() == PlanNetPlace.Role.CHILD_TOKEN
+                    && is.planPlace().startsWith(path)
+                    && is.planPlace().length() > path.length()
+                    && is.planPlace().indexOf('/', path.length()) < 0;
+            if (netMarking[i] > 0 && isOfIt) {
+                inside.computeIfAbsent(is.planPlace(), p -> new TreeMap<>()).put(is.token(), netMarking[i]);
+            }
+        }
+        return inside;
     }
 
     /** A run of the net as firings of the plan, with the markings before and after each; robots have names, whether the net counts them or not. */

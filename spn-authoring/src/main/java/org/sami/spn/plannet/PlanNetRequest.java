@@ -12,9 +12,16 @@ import org.sami.spn.vocabulary.Vocabulary;
  * @param robots names of the robots that are known at the start; the team stays as it is
  * @param madeTasks how many tasks that a mission makes while it runs are followed
  * @param mostTransitions how many transitions the net may have
+ * @param depth how many levels of sub-missions are followed where robots are named; 0 for the plan alone
  */
 public record PlanNetRequest(
-        Project project, Vocabulary vocabulary, String plan, List<String> robots, int madeTasks, int mostTransitions) {
+        Project project,
+        Vocabulary vocabulary,
+        String plan,
+        List<String> robots,
+        int madeTasks,
+        int mostTransitions,
+        int depth) {
     /** How many tasks that are made at run time are followed unless somebody says otherwise. */
     public static final int STANDARD_TASKS = 2;
 
@@ -26,14 +33,30 @@ public record PlanNetRequest(
         Objects.requireNonNull(vocabulary, "vocabulary");
         Objects.requireNonNull(plan, "plan");
         robots = List.copyOf(robots);
-        if (madeTasks < 0 || mostTransitions < 1) {
-            throw new IllegalArgumentException(
-                    "A net follows 0 tasks and 1 transition at least, not " + madeTasks + " and " + mostTransitions);
+        if (madeTasks < 0 || mostTransitions < 1 || depth < 0) {
+            throw new IllegalArgumentException("A net follows 0 tasks, 1 transition and 0 levels at least, not "
+                    + madeTasks + ", " + mostTransitions + " and " + depth);
         }
     }
 
     /** A net of the standard size. */
     public PlanNetRequest(Project project, Vocabulary vocabulary, String plan, List<String> robots) {
         this(project, vocabulary, plan, robots, STANDARD_TASKS, STANDARD_TRANSITIONS);
+    }
+
+    /** A net of the plan alone. */
+    public PlanNetRequest(
+            Project project,
+            Vocabulary vocabulary,
+            String plan,
+            List<String> robots,
+            int madeTasks,
+            int mostTransitions) {
+        this(project, vocabulary, plan, robots, madeTasks, mostTransitions, 0);
+    }
+
+    /** The same to another depth of sub-missions. */
+    public PlanNetRequest toDepth(int levels) {
+        return new PlanNetRequest(project, vocabulary, plan, robots, madeTasks, mostTransitions, levels);
     }
 }

@@ -3,11 +3,17 @@ package org.sami.spn.plannet;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.sami.petri.net.PetriNet;
 import org.sami.petri.net.PetriNetBuilder;
+import org.sami.spn.flow.TokenType;
+import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
+import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** A net while it is made: what its parts share. For one thread. */
@@ -16,20 +22,28 @@ final class PlanNetWork {
     private final Plan plan;
     private final List<PlanToken> team;
     private final RobotView view;
+    private final Optional<PlanNetWork> parent;
+    private final String path;
     private final BitSet sure = new BitSet();
     private final PossibleTokens possible;
     private final PetriNetBuilder net;
     private final MissionPlaces places;
     private final int beyond;
-    private final List<PlanNetFiring> firings = new ArrayList<>();
-    private final List<List<TokenOption>> counted = new ArrayList<>();
-    private final Map<String, Integer> ids = new HashMap<>();
+    private final List<PlanNetFiring> firings;
+    private final List<List<TokenOption>> counted;
+    private final Map<String, Integer> ids;
+    private final Map<FollowedChild, PlanNetWork> children = new LinkedHashMap<>();
 
     PlanNetWork(PlanNetRequest request, Plan plan, List<PlanToken> team, RobotView view) {
         this.request = request;
         this.plan = plan;
         this.team = team;
         this.view = view;
+        parent = Optional.empty();
+        path = "";
+        firings = new ArrayList<>();
+        counted = new ArrayList<>();
+        ids = new HashMap<>();
         possible = new PossibleTokens(request.project(), request.vocabulary(), plan, team);
         net = new PetriNetBuilder(plan.title());
         places = new MissionPlaces(
@@ -41,8 +55,105 @@ final class PlanNetWork {
         beyond = places.control("beyond", "more tokens at once than the net follows", 0);
     }
 
+    /**
+     * A sub-mission in the net of its parent.
+     *
+     * @param at the parent's place
+     */
+    PlanNetWork(PlanNetWork parent, Place at, Plan plan) {
+        request = parent.request;
+        this.plan = plan;
+        team = parent.team;
+        view = parent.view;
+        this.parent = Optional.of(parent);
+        path = parent.path(at.id()) + "/";
+        firings = parent.firings;
+        counted = parent.counted;
+        ids = parent.ids;
+        possible = new PossibleTokens(
+                request.project(),
+                request.vocabulary(),
+                plan,
+                team,
+                token -> parent.possible.comes(at.id(), token),
+                token -> token.type() == TokenType.GENERIC && parent.possible.isCopied(token));
+        net = parent.net;
+        boolean runs = parent.places.startsWith(at.id());
+        places = new MissionPlaces(
+                parent.places,
+                path,
+                plan,
+                team,
+                possible,
+                (place, token) -> runs && place.start() ? parent.places.initialIn(at.id(), token) : 0,
+                runs);
+        beyond = parent.beyond;
+    }
+
     Plan plan() {
         return plan;
+    }
+
+    Project project() {
+        return request.project();
+    }
+
+    /** Of a sub-mission: the mission that runs it. */
+    Optional<PlanNetWork> parent() {
+        return parent;
+    }
+
+    /** A place or transition of the plan, behind the path to the sub-mission that has it. */
+    String path(String id) {
+        return path + id;
+    }
+
+    /** Follows a sub-mission. */
+    void follow(FollowedChild child, PlanNetWork mission) {
+        children.put(child, mission);
+    }
+
+    /** The sub-missions that are followed. */
+    List<FollowedChild> children() {
+        return List.copyOf(children.keySet());
+    }
+
+    /** Their missions. */
+    List<PlanNetWork> missions() {
+        return List.copyOf(children.values());
+    }
+
+    /** The sub-mission that is followed on a place. */
+    Optional<FollowedChild> child(String place) {
+        return children.keySet().stream()
+                .filter(child -> child.place().equals(place))
+                .findFirst();
+    }
+
+    /** The one that a sub-mission is for its parent. */
+    Optional<FollowedChild> asChild() {
+        return parent.stream()
+                .flatMap(of -> of.children.entrySet().stream())
+                .filter(child -> child.getValue() == this)
+                .map(Map.Entry::getKey)
+                .findFirst();
+    }
+
+    /** The places of the net that are marked while a sub-mission is not followed, by the path of its place. */
+    Map<String, Integer> open() {
+        Map<String, Integer> open = new LinkedHashMap<>();
+        for (Map.Entry<FollowedChild, PlanNetWork> child : children.entrySet()) {
+            open.put(path(child.getKey().place()), child.getKey().open());
+            open.putAll(child.getValue().open());
+        }
+        return open;
+    }
+
+    /** All places of the net that stand for the mission and its sub-missions. */
+    List<Integer> owned() {
+        List<Integer> all = new ArrayList<>(places.owned());
+        children.values().forEach(child -> all.addAll(child.owned()));
+        return all;
     }
 
     Vocabulary vocabulary() {
@@ -118,6 +229,24 @@ final class PlanNetWork {
         arcs.put(net, transition);
         firings.add(firing);
         counted.add(robots);
+    }
+
+    /** A case of a firing, with the path to the sub-mission that does it. */
+    PlanNetFiring firing(Transition t, List<String> named, List<PlanNetMove> moves, boolean ends) {
+        if (path.isEmpty()) {
+            return new PlanNetFiring(t.id(), named, moves, ends);
+        }
+        return new PlanNetFiring(
+                path + t.id(),
+                named,
+                moves.stream()
+                        .map(move -> new PlanNetMove(move.token(), behind(move.from()), behind(move.to())))
+                        .toList(),
+                false);
+    }
+
+    private String behind(String place) {
+        return place.isEmpty() ? "" : path + place;
     }
 
     PetriNet build() {

@@ -79,19 +79,10 @@ final class PlanTranslation {
      * @return empty where robots are to be counted that are copied into too many sets of places
      */
     Optional<PlanNet> translate() throws PlanNetTooLargeException {
-        InConditions conditions = new InConditions(work.places(), work.possible(), abstractions);
-        Map<Transition, List<CaseArcs>> of = new LinkedHashMap<>();
-        for (Transition t : plan.transitions()) {
-            of.put(t, conditions.of(t, plan.inEdgesOf(t.id())));
-            if (t.inputs().isEmpty() && !TransitionCases.looksAgain(plan, work.possible(), t)) {
-                boolean atStart = plan.inEdgesOf(t.id()).stream()
-                        .anyMatch(edge ->
-                                plan.place(edge.place()).filter(Place::start).isPresent());
-                work.places().addOccasion(t.id(), atStart);
-            }
-        }
-        Map<Transition, TransitionCases> cases = new LinkedHashMap<>();
-        of.forEach((t, alternatives) -> cases.put(t, new TransitionCases(work, t, alternatives)));
+        new FollowedChildren(work, List.of(plan.id()), view == RobotView.NAMED ? request.depth() : 0, abstractions)
+                .make();
+        MissionTransitions mission = new MissionTransitions(work, abstractions);
+        Map<Transition, TransitionCases> cases = mission.ofPlan();
         Optional<RobotProfiles> profiles = Optional.empty();
         if (view == RobotView.COUNTED && robots().anyMatch(work.possible()::isCopied)) {
             profiles = profiles(cases);
@@ -106,7 +97,7 @@ final class PlanTranslation {
                 each.add(profiles);
             }
         }
-        new AbstractionsOfPlan(work, abstractions).list();
+        mission.addOfChildren();
         return Optional.of(new PlanNet(
                 request,
                 work.build(),
@@ -114,6 +105,7 @@ final class PlanTranslation {
                 work.firings(),
                 abstractions.all(),
                 work.beyond(),
+                work.open(),
                 view == RobotView.COUNTED
                         ? Optional.of(new CountedParts(work.counted(), work.possible(), plan))
                         : Optional.empty(),

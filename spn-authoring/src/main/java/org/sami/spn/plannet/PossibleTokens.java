@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InRequirement;
@@ -35,13 +36,31 @@ final class PossibleTokens implements TokenWays {
     /** Of copied tokens that never stand in one place twice: groups of places of which one at most has the token. */
     private final Map<PlanToken, List<Set<String>>> single = new HashMap<>();
 
+    /** How the places with sub-missions are that are followed. */
+    private final Map<String, SubMode> modes;
+
     PossibleTokens(Project project, Vocabulary vocabulary, Plan plan, Collection<PlanToken> all) {
+        this(project, vocabulary, plan, all, token -> !token.isMade(), token -> false);
+    }
+
+    /**
+     * Those of one mission.
+     *
+     * @param atStart the tokens with which it may start
+     * @param several those of which several may be there at the start
+     */
+    PossibleTokens(
+            Project project,
+            Vocabulary vocabulary,
+            Plan plan,
+            Collection<PlanToken> all,
+            Predicate<PlanToken> atStart,
+            Predicate<PlanToken> several) {
         this.project = project;
         this.vocabulary = vocabulary;
         this.plan = plan;
-        plan.startPlace()
-                .ifPresent(start ->
-                        all.stream().filter(token -> !token.isMade()).forEach(token -> come(start.id(), token)));
+        modes = Map.of();
+        plan.startPlace().ifPresent(start -> all.stream().filter(atStart).forEach(token -> come(start.id(), token)));
         boolean more = true;
         while (more) {
             more = false;
@@ -56,7 +75,7 @@ final class PossibleTokens implements TokenWays {
                 .map(OutEdge::place)
                 .forEach(byNobody::add);
         for (PlanToken token : all) {
-            if (plan.transitions().stream().anyMatch(t -> copies(t, token))) {
+            if (several.test(token) || plan.transitions().stream().anyMatch(t -> copies(t, token))) {
                 copied.add(token);
             }
         }
@@ -65,6 +84,22 @@ final class PossibleTokens implements TokenWays {
         copied.stream()
                 .filter(token -> token.type() != TokenType.GENERIC && !token.isMade())
                 .forEach(token -> singles.groups(token).ifPresent(groups -> single.put(token, groups)));
+    }
+
+    private PossibleTokens(PossibleTokens of, Map<String, SubMode> modes) {
+        project = of.project;
+        vocabulary = of.vocabulary;
+        plan = of.plan;
+        at.putAll(of.at);
+        byNobody.addAll(of.byNobody);
+        copied.addAll(of.copied);
+        single.putAll(of.single);
+        this.modes = modes;
+    }
+
+    /** The same while places with sub-missions are so. */
+    PossibleTokens in(Map<String, SubMode> modes) {
+        return modes.isEmpty() ? this : new PossibleTokens(this, modes);
     }
 
     private boolean isEnd(String place) {
@@ -201,6 +236,18 @@ final class PossibleTokens implements TokenWays {
         return plan.place(place).filter(p -> !p.subMissions().isEmpty()).isPresent();
     }
 
+    /** Whether a sub-mission may hold tokens of the place, so that they are there and in no pool. */
+    boolean isHeld(String place) {
+        return hasSub(place) && modes.getOrDefault(place, SubMode.OPEN) == SubMode.OPEN;
+    }
+
+    /** Whether the sub-missions of a place may bring back tokens that were not there. */
+    boolean isMadeByChildren(String place) {
+        Set<TokenType> made = EnumSet.noneOf(TokenType.class);
+        children(plan, place, made, new HashSet<>());
+        return !made.isEmpty();
+    }
+
     @Override
     public boolean comes(String place, PlanToken token) {
         return at.getOrDefault(place, Set.of()).contains(token);
@@ -233,6 +280,7 @@ final class PossibleTokens implements TokenWays {
                 .map(edge -> edge.place())
                 .distinct()
                 .filter(place -> comes(place, token) && !isExcluded(t, place, token))
+                .filter(place -> modes.get(place) != SubMode.VACANT)
                 .toList();
     }
 }

@@ -85,6 +85,24 @@ final class Selections {
         return numbers;
     }
 
+    /** For each number of sub-mission tokens that a requirement takes: what a token is behind that is not among those; first 0. */
+    List<Integer> subMissionNumbers() {
+        List<Integer> least = new ArrayList<>(List.of(0));
+        boolean takesMore = selectors.stream()
+                        .filter(s -> s.isOf(TokenKind.SUB_MISSION_TOKENS))
+                        .count()
+                > 1;
+        selectors.stream()
+                .filter(s -> takesMore
+                        && s.isOf(TokenKind.SUB_MISSION_TOKENS)
+                        && !s.requirement().takesAll())
+                .map(s -> s.requirement().n() + 1)
+                .distinct()
+                .sorted()
+                .forEach(least::add);
+        return least;
+    }
+
     List<OutEdge> edges() {
         return edges;
     }

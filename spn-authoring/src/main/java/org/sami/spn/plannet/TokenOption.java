@@ -23,6 +23,9 @@ final class TokenOption {
     /** The level at which requirements with numbers select it, by group; 0 where they do not. */
     final Map<String, Integer> levels = new TreeMap<>();
 
+    /** Whether a sub-mission brought it back. */
+    boolean isReturned;
+
     final CaseArcs arcs = new CaseArcs();
     final List<PlanNetMove> moves = new ArrayList<>();
     /** The out edges along which it goes. */

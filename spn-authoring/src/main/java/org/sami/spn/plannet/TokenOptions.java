@@ -2,10 +2,8 @@ package org.sami.spn.plannet;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
@@ -20,6 +18,7 @@ final class TokenOptions {
     private final PossibleTokens possible;
     private final Transition t;
     private final Selections selections;
+    private final SubMissionCases subs;
     private final boolean speaksOfRelevant;
     private final Set<String> watched;
     private final boolean ends;
@@ -30,6 +29,7 @@ final class TokenOptions {
             PossibleTokens possible,
             Transition t,
             Selections selections,
+            SubMissionCases subs,
             boolean speaksOfRelevant,
             Set<String> watched,
             boolean ends) {
@@ -37,6 +37,7 @@ final class TokenOptions {
         this.possible = possible;
         this.t = t;
         this.selections = selections;
+        this.subs = subs;
         this.speaksOfRelevant = speaksOfRelevant;
         this.watched = watched;
         this.ends = ends;
@@ -90,6 +91,7 @@ final class TokenOptions {
             selections.numbers().keySet().stream()
                     .filter(group -> isCovered(anywhere, group))
                     .forEach(group -> anywhere.levels.put(group, 0));
+            subs.returned(anywhere);
             options.add(anywhere);
         }
         if (ends && byAll && !isNamed && !byNumber && !bySub && !mustReport && isTakenAnywhere(token, spots)) {
@@ -153,7 +155,7 @@ final class TokenOptions {
                 int at = places.of(spot, token).getAsInt();
                 if (present.contains(spot)) {
                     option.arcs.atLeast(at, 1);
-                } else if ((possible.isCopied(token) || present.isEmpty()) && !possible.hasSub(spot)) {
+                } else if ((possible.isCopied(token) || present.isEmpty()) && !possible.isHeld(spot)) {
                     option.arcs.below(at, 1);
                 }
             }
@@ -212,23 +214,29 @@ final class TokenOptions {
     }
 
     private void addReturned(TokenOption option, List<TokenOption> options) {
-        addEffects(option, false, options);
+        addEffects(option, false, 0, options);
         boolean canReturn = selections.all().stream()
                 .map(Selections.Selector::requirement)
                 .filter(r -> r.kind() == TokenKind.SUB_MISSION_TOKENS)
                 .anyMatch(
                         r -> option.present.stream().anyMatch(possible::hasSub) || possible.makes(r, t, option.token));
         if (canReturn) {
-            addEffects(option, true, options);
+            for (int least : selections.subMissionNumbers()) {
+                addEffects(option, true, least, options);
+            }
         }
     }
 
-    private void addEffects(TokenOption option, boolean isReturned, List<TokenOption> options) {
+    /** @param least of sub-mission tokens, requirements of so many and more select it */
+    private void addEffects(TokenOption option, boolean isReturned, int least, List<TokenOption> options) {
         boolean removed = false;
         boolean surely = false;
         Set<Integer> edges = new TreeSet<>();
         for (Selections.Selector s : selections.all()) {
-            if (selects(s, option, isReturned)) {
+            if (selects(s, option, isReturned)
+                    && (s.requirement().takesAll()
+                            || !s.isOf(TokenKind.SUB_MISSION_TOKENS)
+                            || s.requirement().n() >= least)) {
                 removed |= s.removes();
                 surely |= s.removes() && s.requirement().takesAll() && !s.isOf(TokenKind.SUB_MISSION_TOKENS);
                 if (s.adds()) {
@@ -238,6 +246,7 @@ final class TokenOptions {
         }
         for (List<String> left : leavings(option, removed, surely, isReturned)) {
             TokenOption one = option.again();
+            one.isReturned = isReturned;
             one.edges.addAll(edges);
             one.left.addAll(left);
             one.removed.addAll(removed ? option.present : List.of());
@@ -251,6 +260,7 @@ final class TokenOptions {
                 }
             }
             enter(one);
+            subs.returned(one);
             options.add(one);
         }
     }
@@ -287,7 +297,7 @@ final class TokenOptions {
         }
         List<List<String>> leavings = new ArrayList<>(List.of(List.of()));
         for (String spot : option.present) {
-            boolean mustGo = surely && !possible.hasSub(spot);
+            boolean mustGo = surely && !possible.isHeld(spot);
             List<List<String>> next = new ArrayList<>(mustGo ? List.of() : leavings);
             for (List<String> leaving : leavings) {
                 List<String> more = new ArrayList<>(leaving);
@@ -316,59 +326,5 @@ final class TokenOptions {
             option.moves.add(new PlanNetMove(option.token.label(), from.isEmpty() ? "" : from.remove(0), target));
         }
         from.forEach(place -> option.moves.add(new PlanNetMove(option.token.label(), place, "")));
-    }
-
-    /** Whether the named tokens of a case meet a requirement of relevant ones in a place. */
-    static boolean meets(InRequirement r, String place, List<TokenOption> chosen, boolean hasTasks) {
-        int here = 0;
-        int named = 0;
-        for (TokenOption option : chosen) {
-            if (option.isNamed) {
-                named++;
-                here += option.present.contains(place) ? 1 : 0;
-            }
-        }
-        return switch (r.match()) {
-            case ALL -> !hasTasks || named == 0 || here > 0; // without tasks each of them was asked for alone
-            case ZERO -> here == 0;
-            case LESS_THAN -> here < r.n();
-            case EXACTLY -> here <= r.n() && (here == r.n() || here > 0);
-            case AT_LEAST -> here >= Math.min(r.n(), 1) && (here >= r.n() || here > 0);
-        };
-    }
-
-    /**
-     * Whether the levels of a case are what requirements with numbers select: so many, or fewer where there are no more.
-     *
-     * @param generics how many generic tokens each group selects
-     * @param more the groups that leave generic tokens
-     * @param isLoose whether of one token several can be there, so that fewer tokens may be so many
-     */
-    static boolean fits(
-            Map<String, List<Integer>> numbers,
-            List<TokenOption> chosen,
-            Map<String, Integer> generics,
-            Set<String> more,
-            boolean isLoose) {
-        for (Map.Entry<String, List<Integer>> group : numbers.entrySet()) {
-            for (int level = 1; level <= group.getValue().size(); level++) {
-                int most = group.getValue().get(level - 1);
-                int picked = Math.min(generics.getOrDefault(group.getKey(), 0), most);
-                boolean hasMore = more.contains(group.getKey());
-                for (TokenOption option : chosen) {
-                    Integer own = option.levels.get(group.getKey());
-                    if (own != null && own > 0 && own <= level) {
-                        picked++;
-                    } else if (own != null) {
-                        hasMore |= !option.isKnown || !option.present.isEmpty() || own > level;
-                    }
-                }
-                boolean mixes = group.getValue().size() > 1 && group.getKey().equals("ANY_TOKEN");
-                if (picked > most || (picked < most && hasMore && !mixes && !(isLoose && picked > 0))) {
-                    return false;
-                }
-            }
-        }
-        return true;
     }
 }

@@ -10,21 +10,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
-import java.util.stream.Stream;
 import org.sami.spn.flow.TokenType;
-import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.Match;
 import org.sami.spn.model.OutEdge;
-import org.sami.spn.model.OutRequirement;
-import org.sami.spn.model.Place;
-import org.sami.spn.model.Plan;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 import org.sami.spn.model.WaitFor;
-import org.sami.spn.vocabulary.EventRole;
-import org.sami.spn.vocabulary.EventType;
 
 /**
  * The cases of one transition of a plan: one transition of the net for each set of tokens that may be named, each place in which a token may stand as far as that
@@ -35,6 +28,7 @@ final class TransitionCases {
     private static final int MOST_TRIED = 400_000;
 
     private final PlanNetWork work;
+    private final PossibleTokens possible;
     private final Transition t;
     private final List<InEdge> ins;
     private final Selections selections;
@@ -44,44 +38,32 @@ final class TransitionCases {
     private final boolean hasTasks;
     private final Set<Object> known = new HashSet<>();
     private final WakenedCases wakened;
+    private final SubMissionCases subs;
+    private final FiringEffects effects;
     private Function<List<TokenOption>, Optional<CaseArcs>> ofRobots;
     private Optional<Map<Object, PresenceCases.Found>> found = Optional.empty();
     private int made;
     private int tried;
 
-    TransitionCases(PlanNetWork work, Transition t, List<CaseArcs> conditions) {
+    /** @param modes how the places are whose sub-missions are followed, where that matters */
+    TransitionCases(PlanNetWork work, Transition t, List<CaseArcs> conditions, Map<String, SubMode> modes) {
         this.work = work;
+        possible = work.possible().in(modes);
         this.t = t;
         this.conditions = conditions;
         ofRobots = new CountedRobots(work.places(), work.possible(), t)::arcs;
         ins = work.plan().inEdgesOf(t.id());
         wakened = new WakenedCases(work, t);
         selections = new Selections(t, work.plan().outEdgesOf(t.id()));
+        subs = new SubMissionCases(work, t, modes, selections);
+        effects = new FiringEffects(work, t, ins, selections, subs);
         watched = t.waitFor() == WaitFor.ALL && !t.inputs().isEmpty() ? watchedPlaces() : Set.of();
-        mustHaveRelevant = isToldNames()
+        mustHaveRelevant = TransitionLooks.isToldNames(work.vocabulary(), t)
                 && requirements().stream()
                         .anyMatch(r -> r.kind() == TokenKind.RELEVANT
                                 && (r.match() == Match.ALL
                                         || ((r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY) && r.n() > 0)));
         hasTasks = work.team().stream().anyMatch(token -> token.type() == TokenType.TASK);
-    }
-
-    /** Whether its only input event reaches it as an answer or as news: where it must have somebody who is named, one of them is there. */
-    private boolean isToldNames() {
-        return t.inputs().size() == 1
-                && !waitsFor(EventRole.SUB_MISSION_ABORTED, EventRole.CHECK_RETURN)
-                && roles().noneMatch(EventRole::isPress);
-    }
-
-    private Stream<EventRole> roles() {
-        return t.inputs().stream()
-                .flatMap(input -> work.vocabulary().event(input.type()).stream())
-                .map(EventType::role);
-    }
-
-    /** Whether one of its input events is of these roles: those come to it directly, wherever tokens are. */
-    private boolean waitsFor(EventRole one, EventRole other) {
-        return roles().anyMatch(role -> role == one || role == other);
     }
 
     private List<InRequirement> requirements() {
@@ -111,9 +93,10 @@ final class TransitionCases {
                 || selections.all().stream().anyMatch(s -> s.isOf(TokenKind.RELEVANT));
         return new TokenOptions(
                         work.places(),
-                        work.possible(),
+                        possible,
                         t,
                         selections,
+                        subs,
                         speaks,
                         watched,
                         ends() && work.view() != RobotView.PRESENT)
@@ -146,7 +129,7 @@ final class TransitionCases {
     }
 
     private List<GenericOption> generics() {
-        return new GenericOptions(work.places(), work.possible(), t, selections, work.robots(), work.beyond()).all();
+        return new GenericOptions(work.places(), possible, t, selections, work.robots(), work.beyond()).all();
     }
 
     /** Adds the cases to a net that follows only whether any robot is in a place. */
@@ -216,7 +199,7 @@ final class TransitionCases {
         }
         for (InEdge edge : ins) {
             for (InRequirement r : edge.requirements()) {
-                if (r.kind() == TokenKind.RELEVANT && !TokenOptions.meets(r, edge.place(), chosen, hasTasks)) {
+                if (r.kind() == TokenKind.RELEVANT && !MetRequirements.meets(r, edge.place(), chosen, hasTasks)) {
                     return false;
                 }
             }
@@ -230,7 +213,7 @@ final class TransitionCases {
     }
 
     private boolean isEnd(String place) {
-        return work.plan().place(place).filter(Place::end).isPresent();
+        return effects.isEnd(place);
     }
 
     /** @param robots those of the chosen options that are of robots that are counted, with what they ask for together */
@@ -239,7 +222,7 @@ final class TransitionCases {
         boolean isLoose = chosen.stream()
                 .anyMatch(o -> work.possible().isLoose(o.token)
                         || (work.possible().isCopied(o.token) && o.present.size() > 1));
-        if (!TokenOptions.fits(selections.numbers(), chosen, generic.picked, generic.more, isLoose)) {
+        if (!MetRequirements.fits(selections.numbers(), chosen, generic.picked, generic.more, isLoose)) {
             return;
         }
         CaseArcs arcs = generic.arcs.copy();
@@ -248,6 +231,8 @@ final class TransitionCases {
         Set<Integer> entered = new LinkedHashSet<>(generic.edges);
         Set<String> left = new LinkedHashSet<>(generic.left);
         List<String> named = new ArrayList<>();
+        List<PlanToken> atEnd = new ArrayList<>();
+        boolean returnsSome = generic.returned > 0;
         for (TokenOption option : chosen) {
             if (robots.isEmpty() || !option.token.equals(PlanToken.ROBOTS)) {
                 arcs.join(option.arcs);
@@ -255,6 +240,10 @@ final class TransitionCases {
             moves.addAll(option.moves);
             entered.addAll(option.edges);
             left.addAll(option.removed);
+            returnsSome |= option.isReturned;
+            if (option.moves.stream().anyMatch(move -> isEnd(move.to()))) {
+                atEnd.add(option.token);
+            }
             if (option.isNamed) {
                 named.add(option.token.label());
             }
@@ -274,46 +263,12 @@ final class TransitionCases {
         for (CaseArcs ready : InConditions.both(List.of(arcs), conditions)) {
             for (CaseArcs awake : wakened.of(ready)) {
                 CaseArcs whole = awake.copy();
-                around(whole, entered, left, ends);
-                put(whole, new PlanNetFiring(t.id(), named, moves, ends), robots);
-            }
-        }
-    }
-
-    /** That the mission runs, the end, visits by nobody that end, and which transitions are to be looked at next. */
-    private void around(CaseArcs arcs, Set<Integer> entered, Set<String> left, boolean ends) {
-        int running = work.places().running();
-        if (ends) {
-            arcs.remove(running, 1);
-        } else {
-            arcs.atLeast(running, 1);
-        }
-        boolean clears = selections.all().stream()
-                .anyMatch(s -> s.isOf(TokenKind.ANY_TOKEN)
-                        && s.removes()
-                        && s.requirement().takesAll());
-        if (t.inputs().isEmpty() || clears) {
-            for (InEdge edge : ins) {
-                if (!work.possible().hasSub(edge.place())) {
-                    work.places().nobody(edge.place()).ifPresent(nobody -> {
-                        if (!arcs.adds(nobody)) {
-                            arcs.empty(nobody);
-                        }
-                    });
+                PlanNetFiring firing = work.firing(t, named, moves, ends);
+                for (CaseArcs each : effects.of(whole, entered, left, ends, returnsSome, atEnd)) {
+                    put(each, firing, robots);
                 }
             }
         }
-        work.places().occasion(t.id()).ifPresent(mark -> arcs.remove(mark, 1));
-        if (!ends) {
-            entered.forEach(edge -> occasions(selections.target(edge), arcs));
-            left.forEach(place -> occasions(place, arcs));
-        }
-    }
-
-    private void occasions(String place, CaseArcs arcs) {
-        work.plan().inEdges().stream()
-                .filter(edge -> edge.place().equals(place))
-                .forEach(edge -> work.places().occasion(edge.transition()).ifPresent(arcs::set));
     }
 
     private void put(CaseArcs arcs, PlanNetFiring firing, List<TokenOption> robots) throws PlanNetTooLargeException {
@@ -332,39 +287,5 @@ final class TransitionCases {
 
     private String title() {
         return t.name().isBlank() ? t.id() : t.name();
-    }
-
-    /** Whether a transition without input events is looked at again by itself whenever it could fire: then it needs no mark. */
-    static boolean looksAgain(Plan plan, PossibleTokens possible, Transition t) {
-        List<InEdge> edges = plan.inEdgesOf(t.id());
-        return edges.stream().anyMatch(edge -> possible.hasSub(edge.place()))
-                || edges.stream()
-                        .anyMatch(edge ->
-                                edge.requirements().stream().anyMatch(in -> isTaken(plan.outEdgesOf(t.id()), in)));
-    }
-
-    /** Whether each firing removes a token that the requirement counts. */
-    private static boolean isTaken(List<OutEdge> outs, InRequirement in) {
-        boolean wants = (in.match() == Match.AT_LEAST || in.match() == Match.EXACTLY) && in.n() > 0;
-        return wants
-                && in.kind() != TokenKind.RELEVANT
-                && in.kind() != TokenKind.UNCONDITIONAL
-                && outs.stream()
-                        .flatMap(out -> out.requirements().stream())
-                        .anyMatch(out -> out.action() != Action.ADD
-                                && out.takesAll()
-                                && (out.kind() == in.kind() || out.kind() == TokenKind.ANY_TOKEN)
-                                && out.task().equals(in.task()));
-    }
-
-    /** Whether it takes only some of several tokens. */
-    static Optional<OutRequirement> choosing(Plan plan, Transition t) {
-        return plan.outEdgesOf(t.id()).stream()
-                .flatMap(edge -> edge.requirements().stream())
-                .filter(r -> !r.takesAll()
-                        && r.n() > 0
-                        && r.kind() != TokenKind.GENERIC
-                        && r.kind() != TokenKind.UNCONDITIONAL)
-                .findFirst();
     }
 }

@@ -19,7 +19,10 @@ final class WakenedCases {
         ins = work.plan().inEdgesOf(t.id());
     }
 
-    /** A transition with input events listens only while one of its in places is marked, or visited by nobody; its answer ends that visit. */
+    /**
+     * A transition with input events listens only while one of its in places is marked, or visited by nobody; its answer ends that visit. What came then may wait, and let
+     * it fire when all are gone.
+     */
     List<CaseArcs> of(CaseArcs arcs) {
         if (t.inputs().isEmpty() || ins.isEmpty() || comesDirectly()) {
             return List.of(arcs);
@@ -30,6 +33,13 @@ final class WakenedCases {
                 .anyMatch(place -> work.places().allIn(place).stream().anyMatch(arcs::needs));
         if (isAwake) {
             awake.add(arcs);
+        }
+        if (!isAwake) {
+            work.places().heard(t.id()).ifPresent(heard -> {
+                CaseArcs before = arcs.copy();
+                before.atLeast(heard, 1);
+                awake.add(before);
+            });
         }
         for (String place : inPlaces) {
             if (!isAwake) {

@@ -1,7 +1,10 @@
 package org.sami.spn.planspace;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.sami.petri.query.LinearComparison;
@@ -17,7 +20,7 @@ import org.sami.spn.plannet.PlanNetPlace.Role;
 /**
  * What the names in a query about a plan mean: {@code visit} all tokens in a place, by its id or its name; {@code visit.robots}, {@code visit.generic},
  * {@code visit.tasks} those of a kind, {@code visit.nobody} visits by nobody, {@code visit.robot-1} or {@code visit.T1} those of one robot or task; transitions by id or
- * name, in any of their cases. Immutable.
+ * name, in any of their cases; {@code duplicated} a marking in which one robot or task stands in several places. Immutable.
  */
 public final class PlanNetNames implements NetNames {
     private static final String GENERIC = "generic";
@@ -106,5 +109,24 @@ public final class PlanNetNames implements NetNames {
         int running = net.net().place("running").orElseThrow();
         return Optional.of(new LinearComparison(
                 List.of(new LinearComparison.Term(running, 1)), LinearComparison.Relation.EQUAL, 0));
+    }
+
+    /** One robot or task stands in several places, or twice in one; there is no such word where robots have no names. */
+    @Override
+    public Optional<MarkingCondition> duplicated() {
+        if (!net.hasNames()) {
+            return Optional.empty();
+        }
+        Map<String, List<LinearComparison.Term>> ofToken = new TreeMap<>();
+        for (int i = 0; i < net.net().placeCount(); i++) {
+            PlanNetPlace place = net.place(i);
+            if (place.role() == Role.TOKEN && !place.token().equals(GENERIC)) {
+                ofToken.computeIfAbsent(place.token(), token -> new ArrayList<>())
+                        .add(new LinearComparison.Term(i, 1));
+            }
+        }
+        return Optional.of(new MarkingCondition.Any(ofToken.values().stream()
+                .<MarkingCondition>map(places -> new LinearComparison(places, LinearComparison.Relation.AT_LEAST, 2))
+                .toList()));
     }
 }

@@ -1,15 +1,12 @@
 package org.sami.spn.planspace;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.sami.petri.coverability.SaturatedQueries;
 import org.sami.petri.coverability.SaturatedSearch;
 import org.sami.petri.coverability.WiderNet;
-import org.sami.petri.graph.FiringSequence;
 import org.sami.petri.graph.GraphWatch;
-import org.sami.petri.graph.MarkingTest;
 import org.sami.petri.graph.ReachabilityGraph;
 import org.sami.petri.graph.SearchBudget;
 import org.sami.petri.net.PetriNet;
@@ -20,36 +17,34 @@ import org.sami.petri.query.QueryFaultException;
 import org.sami.petri.query.QueryMeans;
 import org.sami.petri.query.QueryParser;
 import org.sami.petri.query.QueryRunner;
+import org.sami.petri.structure.StructuralQueries;
 import org.sami.petri.symmetry.NetSymmetry;
 import org.sami.spn.model.PlanQuery;
-import org.sami.spn.model.TestCase;
 import org.sami.spn.plannet.Abstraction;
-import org.sami.spn.plannet.PlanMarking;
 import org.sami.spn.plannet.PlanNet;
-import org.sami.spn.plannet.PlanNetFiring;
 import org.sami.spn.plannet.PlanNetTooLargeException;
-import org.sami.spn.plannet.PlanRun;
 
 /**
- * Answers the queries of a plan by searches of its net, by symmetry where a query names no robot, and takes the runs that it finds on the engine. For one thread.
+ * Answers the queries of a plan by the structure of its net, and, where that does not tell, by searches of the net, by symmetry where a query names no robot, and takes the runs that it finds on the engine. For one thread.
  */
 public final class PlanQueries {
-    /** So many steps of the engine are tried for one run: some seconds at most. */
-    private static final int MOST_STEPS = 20_000;
-
     /** A net with more transitions is large. */
     private static final int LARGE = 1_000;
 
     /** So many states are looked at before a query is searched for alone. */
     private static final int FIRST_STATES = 50_000;
 
+    private static final String IF_IT_COMES = ", if what is waited for comes";
+
     private final PlanNet net;
     private final PlanNetNames names;
     private final QueryRunner runner;
-    private final RunOnEngine engine;
+    private final Witnesses witnesses;
+    private final Optional<PlanProofs> proofs;
     private final NetSymmetry symmetry;
     private final SearchBudget budget;
     private final GraphWatch watch;
+    private final boolean structure;
     private Optional<SaturatedQueries> saturated = Optional.empty();
     private Optional<PlanQueries> named = Optional.empty();
     private int looked;
@@ -61,6 +56,15 @@ public final class PlanQueries {
      * @param budget of each search
      */
     public PlanQueries(PlanNet net, SearchBudget budget, GraphWatch watch) {
+        this(net, budget, watch, true);
+    }
+
+    /**
+     * The same, where it can be said that structure is left out.
+     *
+     * @param structure whether the structure of the net is asked before its states are searched; the answers are the same
+     */
+    public PlanQueries(PlanNet net, SearchBudget budget, GraphWatch watch, boolean structure) {
         this.net = net;
         names = new PlanNetNames(net);
         // without stubborn sets: each end takes the place "running", which every transition needs, so none is
@@ -70,7 +74,9 @@ public final class PlanQueries {
         runner = new QueryRunner(net.net(), budget, means, watch, System::nanoTime);
         this.budget = budget;
         this.watch = watch;
-        engine = new RunOnEngine(net, MOST_STEPS, watch::isCancelled);
+        witnesses = new Witnesses(net, budget.states(), watch::isCancelled);
+        proofs = structure ? Optional.of(new PlanProofs(net, watch::isCancelled)) : Optional.empty();
+        this.structure = structure;
     }
 
     /** Where robots are counted, and in a large net, the exchanges that are known are all that is looked for. */
@@ -97,7 +103,7 @@ public final class PlanQueries {
     /** Queries about the net in which robots have names. */
     private PlanQueries byName() throws PlanNetTooLargeException {
         if (named.isEmpty()) {
-            named = Optional.of(new PlanQueries(PlanNet.of(net.request()), budget, watch));
+            named = Optional.of(new PlanQueries(PlanNet.of(net.request()), budget, watch, structure));
         }
         return named.get();
     }
@@ -161,6 +167,11 @@ public final class PlanQueries {
     }
 
     private PlanQueryAnswer answer(PlanQuery query, NetQuery asked) {
+        Optional<StructuralQueries.Answer> proved =
+                looked >= budget.states() ? Optional.empty() : proofs.flatMap(some -> some.answer(asked));
+        if (proved.isPresent()) {
+            return proved(query, asked, proved.get());
+        }
         look(Math.min(FIRST_STATES, budget.states()));
         Optional<QueryAnswer> without = saturated.flatMap(few -> few.answer(asked));
         if (without.isEmpty() && net.isPresent()) {
@@ -169,7 +180,7 @@ public final class PlanQueries {
         QueryAnswer found = without.orElseGet(() -> runner.answer(asked));
         boolean happens = isThatItHappens(asked, found);
         boolean isAProof = found.verdict() != NetVerdict.UNKNOWN && (happens || isWhole(found));
-        Optional<PlanWitness> witness = found.witness().map(run -> witness(run, query, goal(asked, run)));
+        Optional<PlanWitness> witness = found.witness().map(run -> witnesses.of(run, query, asked));
         boolean isOfThePlan = isAProof && (isExact() || !isOnlyAllowed(asked, found, happens, witness));
         return new PlanQueryAnswer(
                 query,
@@ -179,8 +190,15 @@ public final class PlanQueries {
                 found.verdict().name().toLowerCase(Locale.ROOT) + ": " + found.words()
                         + (isAProof ? caution(asked, found, happens, witness) : notWhole(found)),
                 witness,
+                List.of(),
                 found.graph().states(),
                 found.graph().nanos());
+    }
+
+    private PlanQueryAnswer proved(PlanQuery query, NetQuery asked, StructuralQueries.Answer answer) {
+        String ifItComes = asked instanceof NetQuery.Deadlock && !isExact() ? IF_IT_COMES : "";
+        return PlanQueryAnswer.proved(
+                query, result(query, answer.verdict()), answer.verdict(), answer.proof(), ifItComes);
     }
 
     private static PlanQueryAnswer.Result result(PlanQuery query, NetVerdict verdict) {
@@ -211,8 +229,7 @@ public final class PlanQueries {
 
     /** Whether the net follows all that the plan can do. */
     private boolean isWhole(QueryAnswer found) {
-        return found.graph().mostTokens(net.beyond()) == 0
-                && net.abstractions().stream().noneMatch(a -> a.kind() == Abstraction.Kind.PARTIAL);
+        return found.graph().mostTokens(net.beyond()) == 0 && !net.isPartial();
     }
 
     private String notWhole(QueryAnswer found) {
@@ -233,7 +250,7 @@ public final class PlanQueries {
     private String caution(NetQuery asked, QueryAnswer found, boolean happens, Optional<PlanWitness> witness) {
         boolean goesOn = !happens && (asked instanceof NetQuery.Deadlock || asked instanceof NetQuery.Home);
         if (goesOn && !isExact()) {
-            return ", if what is waited for comes";
+            return IF_IT_COMES;
         }
         if (isWithoutBound(asked, found) && !isExact()) {
             return "; it may be so: the net leaves open what data decide";
@@ -260,30 +277,5 @@ public final class PlanQueries {
 
     private boolean isExact() {
         return net.abstractions().stream().noneMatch(a -> a.kind() == Abstraction.Kind.WIDER);
-    }
-
-    private PlanWitness witness(FiringSequence run, PlanQuery query, MarkingTest goal) {
-        Optional<TestCase> steps = engine.steps(run, goal, query.name());
-        PlanRun named = net.run(run);
-        List<PlanNetFiring> firings = named.firings();
-        List<PlanMarking> markings = named.markings();
-        PlanStateWords words = new PlanStateWords(net);
-        return new PlanWitness(
-                firings,
-                markings,
-                firings.stream().map(words::moves).toList(),
-                words.marked(markings.get(markings.size() - 1)),
-                steps);
-    }
-
-    /** What the engine has to come to: what was asked for; where that is about all that follows, the end of the run itself. */
-    private MarkingTest goal(NetQuery asked, FiringSequence run) {
-        if (asked instanceof NetQuery.Reachable reachable) {
-            return reachable.condition();
-        } else if (asked instanceof NetQuery.Invariant invariant) {
-            return marking -> !invariant.condition().test(marking);
-        }
-        int[] end = run.replay(net.net());
-        return marking -> Arrays.equals(marking, end);
     }
 }

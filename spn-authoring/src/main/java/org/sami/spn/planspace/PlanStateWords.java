@@ -44,17 +44,19 @@ public final class PlanStateWords implements StateWords {
         return String.join(" ", words);
     }
 
-    /** A place by its name, or by its id where the author gave it none. */
+    /** A place by its name, or by its id where the author gave it none; behind the place whose sub-mission has it. */
     public String place(String id) {
-        return plan.place(id).map(Place::name).filter(name -> !name.isBlank()).orElse(id);
+        return SubMissionPath.words(
+                net.request().project(), plan, id, (of, last) -> of.place(last).map(Place::name));
     }
 
-    /** A transition by its name, or by its id where the author gave it none. */
+    /** A transition by its name, or by its id where the author gave it none; behind the place whose sub-mission has it. */
     public String transition(String id) {
-        return plan.transition(id)
-                .map(Transition::name)
-                .filter(name -> !name.isBlank())
-                .orElse(id);
+        return SubMissionPath.words(
+                net.request().project(),
+                plan,
+                id,
+                (of, last) -> of.transition(last).map(Transition::name));
     }
 
     @Override

@@ -3,6 +3,7 @@ package org.sami.spn.statespace;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.sami.spn.finding.Advice;
 
 /** Runs the plan once and asks of its states all that deep checks ask. */
 final class EveryQuestion implements SpaceQuestion {
@@ -33,6 +34,11 @@ final class EveryQuestion implements SpaceQuestion {
     @Override
     public String help() {
         return "Runs the plan once and looks for all that the other searches look for.";
+    }
+
+    @Override
+    public List<Advice> advice() {
+        return PARTS.stream().flatMap(part -> part.advice().stream()).toList();
     }
 
     @Override

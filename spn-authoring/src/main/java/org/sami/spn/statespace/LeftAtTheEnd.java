@@ -2,6 +2,7 @@ package org.sami.spn.statespace;
 
 import java.util.List;
 import java.util.Optional;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Plan;
 
@@ -23,8 +24,27 @@ final class LeftAtTheEnd implements SpaceQuestion {
 
     @Override
     public String help() {
-        return "Looks for ends of the mission that come with the first of many, or leave a robot or a task behind somewhere. An end by a button of"
-                + " the operator is as he wants it.";
+        return "Looks for ends of the mission that come with the first of many, or leave a robot or a task behind"
+                + " somewhere. An end by a button of the operator is as he wants it.";
+    }
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        EARLY,
+                        "The mission is over while somebody is still at work: what that one does is no longer "
+                                + "watched.",
+                        "Let the transition before the end also ask for none (= 0) in the places where somebody may "
+                                + "be at work."),
+                new Advice(
+                        LEFT_OUT,
+                        "The transition that ends the mission takes some and leaves others in the place.",
+                        "Let its edge take all."),
+                new Advice(
+                        FORGOTTEN,
+                        "Somebody stands in a place that the end does not look at: nobody sends that one home.",
+                        "Let the transition before the end take them too, or lead them to where it does."));
     }
 
     @Override

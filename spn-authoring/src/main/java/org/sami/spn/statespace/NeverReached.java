@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
 import org.sami.spn.model.Action;
@@ -32,8 +33,23 @@ final class NeverReached implements SpaceQuestion {
 
     @Override
     public String help() {
-        return "Looks for places that are never entered and transitions that never fire, whatever is answered. Values are samples, so a way that"
-                + " depends on a value may be missed.";
+        return "Looks for places that are never entered and transitions that never fire, whatever is answered. Values"
+                + " are samples, so a way that depends on a value may be missed.";
+    }
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        NEVER,
+                        "All runs were looked at and none comes there: what is drawn there is never done.",
+                        "Look at the requirements on the ways there; correct the one that is never met, or delete "
+                                + "what is not needed."),
+                new Advice(
+                        NOT_YET,
+                        "No run was found that comes there, but not all were looked at: it may still be reached.",
+                        "Look at more states (--states) or with another number of robots (--boats); or play a run "
+                                + "there by hand."));
     }
 
     @Override

@@ -2,6 +2,7 @@ package org.sami.spn.statespace;
 
 import java.util.List;
 import java.util.Optional;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
 import org.sami.spn.model.Plan;
@@ -25,12 +26,21 @@ final class StuckAfterDrop implements SpaceQuestion {
 
     @Override
     public String help() {
-        return "Drops a robot at every state, one in a run, and looks for missions that then wait for it forever while others work.";
+        return "Drops a robot at every state, one in a run, and looks for missions that then wait for it forever while"
+                + " others work.";
     }
 
     @Override
     public boolean dropsRobots() {
         return true;
+    }
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                CODE,
+                "When that robot is dropped the mission waits for it, and the operator has to abort it.",
+                "Draw a transition for the news that the robot is gone, or leave it: an abort ends the " + "mission."));
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -34,8 +35,8 @@ final class StuckStates implements SpaceQuestion {
 
     @Override
     public String help() {
-        return "Looks for states from which the mission cannot end any more, whatever is answered. Values are samples, so a way that depends on a"
-                + " value may be missed.";
+        return "Looks for states from which the mission cannot end any more, whatever is answered. Values are samples,"
+                + " so a way that depends on a value may be missed.";
     }
 
     @Override
@@ -48,6 +49,16 @@ final class StuckStates implements SpaceQuestion {
     private static boolean hasEnd(DeepRequest request) {
         return request.project().plan(request.plan()).orElseThrow().places().stream()
                 .anyMatch(Place::end);
+    }
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                STUCK,
+                "From there no run comes to the end any more: the mission stands still or goes round until "
+                        + "somebody aborts it.",
+                "Play the run. Where it stops, draw a transition that leads on, or let the transition before "
+                        + "it not come there."));
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Plan;
 
@@ -24,7 +25,17 @@ final class TokensPileUp implements SpaceQuestion {
 
     @Override
     public String help() {
-        return "Looks for runs in which tokens pile up without bound: each round adds the same ones, and nothing takes them away.";
+        return "Looks for runs in which tokens pile up without bound: each round adds the same ones, and nothing takes"
+                + " them away.";
+    }
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                CODE,
+                "Each round leaves more tokens behind; requirements that count them are fulfilled too early "
+                        + "or never.",
+                "Let a transition of the round take the tokens again, or let the edge not add them."));
     }
 
     @Override

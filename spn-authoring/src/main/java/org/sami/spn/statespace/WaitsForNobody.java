@@ -2,6 +2,7 @@ package org.sami.spn.statespace;
 
 import java.util.List;
 import java.util.Optional;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Plan;
 
@@ -21,7 +22,17 @@ final class WaitsForNobody implements SpaceQuestion {
 
     @Override
     public String help() {
-        return "Looks for places in which nothing is asked and nobody ever waits: the first who comes goes on, while others are on their way.";
+        return "Looks for places in which nothing is asked and nobody ever waits: the first who comes goes on, while"
+                + " others are on their way.";
+    }
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                CODE,
+                "The place is drawn so that they go on together, and the first goes on alone.",
+                "Let the transition also ask for none (= 0) in the places from which the others come; else "
+                        + "delete the place."));
     }
 
     @Override

@@ -117,7 +117,7 @@ class PlanQueriesTest {
         PlanQueryAnswer stuck = answer(net(asked(), "A"), "deadlock", PlanQuery.Expected.NO);
 
         assertThat(deadlock.result()).isEqualTo(Result.EXPECTED);
-        assertThat(deadlock.words()).endsWith("a deadlock is never reached, if what is waited for comes");
+        assertThat(deadlock.words()).isEqualTo("no: proved by state equation, if what is waited for comes");
         assertThat(stuck.result()).isEqualTo(Result.UNEXPECTED);
         assertThat(stuck.isFault()).isTrue();
         assertThat(stuck.words()).contains("and the engine comes there by 1 step");
@@ -144,6 +144,26 @@ class PlanQueriesTest {
         assertThat(one.witness().orElseThrow().end().words()).isEqualTo("a: B C generic; c: A");
         assertThat(byName.words()).contains("and the engine comes there by 1 step");
         assertThat(byName.run().get(0).named()).contains("B").doesNotContain("A");
+    }
+
+    @Test
+    void robotThatIsAddedToASecondPlaceIsDuplicatedAndOneThatIsTakenIsNot() throws PlanNetTooLargeException {
+        NetBuilder added = new NetBuilder("p")
+                .start("a")
+                .output("a", "ChooseSome")
+                .places("c")
+                .transition("t", "Chosen")
+                .in("a", "t", "relevant all")
+                .out("t", "c", "add all relevant");
+
+        PlanQueryAnswer moved = answer(
+                PlanNet.smallest(net(asked(), "A", "B").request()), "reachable duplicated", PlanQuery.Expected.NO);
+        PlanQueryAnswer copied =
+                answer(PlanNet.smallest(net(added, "A", "B").request()), "reachable duplicated", PlanQuery.Expected.NO);
+
+        assertThat(moved.result()).isEqualTo(Result.EXPECTED);
+        assertThat(copied.result()).isEqualTo(Result.UNEXPECTED);
+        assertThat(copied.words()).contains("and the engine comes there by 1 step");
     }
 
     @Test

@@ -18,10 +18,25 @@ public interface InputJournal extends AutoCloseable {
     /**
      * Appends entries as one batch, all or none. When it returns they survive what was asked for.
      *
-     * @param entries in order, following {@link #lastIndex()} without a gap
+     * @param entries in order, following {@link #lastIndex()} without a gap; beginning with those that were {@linkplain #prepare prepared}
      * @throws IOException where they could not be made durable; nothing that they caused may leave
      */
     void append(List<JournalEntry> entries, Durability durability) throws IOException;
+
+    /**
+     * Gives entries with which the next {@link #append} will begin, as soon as the engine has taken them: a journal may begin to write them while the engine
+     * takes the rest of the batch. Returns at once. None of them is durable or can be read before that append has returned; what fails is told by it.
+     *
+     * @param entries in order, following those that were given before for the same batch, else {@link #lastIndex()}; not changed any more
+     */
+    default void prepare(List<JournalEntry> entries) {
+        // They come once more, with the whole batch.
+    }
+
+    /** The batch whose first entries were given will not be appended. */
+    default void withdraw() {
+        // None of it was written.
+    }
 
     /**
      * Offers the state after the last entry; the journal takes it when a snapshot is due.

@@ -2,7 +2,6 @@ package org.sami.spn.host;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.protocol.Activation;
@@ -15,6 +14,9 @@ import org.sami.spn.vocabulary.EventFlag;
  * holds the host's lock.
  */
 final class JournaledEngine {
+    /** Entries that the journal gets at once while the engine takes the rest: so many go into one statement of a file. */
+    private static final int PART = 128;
+
     private final EngineFunction engine;
     private final InputJournal journal;
     private final HostClock clock;
@@ -52,27 +54,44 @@ final class JournaledEngine {
      * @throws IOException if the journal fails: no effect of it may leave, and no other batch comes before {@link #recover} has returned this one
      */
     List<Step> step(List<QueuedInput> inputs) throws IOException {
+        Batch batch = take(inputs);
+        undurable = batch;
+        journal.append(batch.entries(), batch.durability());
+        undurable = Batch.NONE;
+        return batch.steps();
+    }
+
+    /** Steps the engine; in a large batch the journal gets the entries part by part meanwhile. */
+    private Batch take(List<QueuedInput> inputs) {
         List<Step> steps = new ArrayList<>(inputs.size());
         List<JournalEntry> entries = new ArrayList<>(inputs.size());
         Durability durability = Durability.PROCESS;
         long index = journal.lastIndex();
         long now = Math.max(clock.nowMillis(), journal.lastMillis());
-        for (QueuedInput queued : inputs) {
-            Input input = queued.input();
-            index++;
-            List<Effect> effects = new ArrayList<>(4);
-            engine.step(now, input, effects::add);
-            JournalEntry entry = new JournalEntry(index, now, input);
-            entries.add(entry);
-            steps.add(new Step(entry, Collections.unmodifiableList(effects), queued.reply()));
-            if (durability == Durability.PROCESS && commands(effects)) {
-                durability = Durability.POWER;
+        int prepared = 0;
+        try {
+            for (QueuedInput queued : inputs) {
+                Input input = queued.input();
+                index++;
+                List<Effect> effects = new ArrayList<>(4);
+                engine.step(now, input, effects::add);
+                JournalEntry entry = new JournalEntry(index, now, input);
+                entries.add(entry);
+                Step step = Step.of(entry, effects, queued.reply());
+                steps.add(step);
+                if (durability == Durability.PROCESS && commands(step)) {
+                    durability = Durability.POWER;
+                }
+                if (entries.size() == prepared + PART && entries.size() < inputs.size()) {
+                    journal.prepare(List.copyOf(entries.subList(prepared, prepared + PART)));
+                    prepared += PART;
+                }
             }
+        } catch (RuntimeException | Error fault) {
+            journal.withdraw();
+            throw fault;
         }
-        undurable = new Batch(steps, entries, durability);
-        journal.append(undurable.entries(), durability);
-        undurable = Batch.NONE;
-        return steps;
+        return new Batch(steps, entries, durability);
     }
 
     /** Looks whether the journal has failed by itself. */
@@ -110,9 +129,9 @@ final class JournaledEngine {
         return batch.steps();
     }
 
-    private boolean commands(List<Effect> effects) {
-        for (Effect effect : effects) {
-            if (effect instanceof Effect.Activated activated && isCommand(activated.activation())) {
+    private boolean commands(Step step) {
+        for (Activation activation : step.activations()) {
+            if (isCommand(activation)) {
                 return true;
             }
         }

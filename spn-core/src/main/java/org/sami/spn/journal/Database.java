@@ -18,6 +18,9 @@ final class Database implements AutoCloseable {
     /** Marks the file as a journal of SAMI ("SAMI" in ASCII). */
     private static final int APPLICATION_ID = 0x53414d49;
 
+    /** How many times as long as it should be the log may become before whoever commits folds it. */
+    private static final int LONGEST_LOG = 4;
+
     private static final String[] TABLES = {
         "CREATE TABLE header (pos INTEGER PRIMARY KEY, kind TEXT NOT NULL, name TEXT NOT NULL, content TEXT NOT NULL)"
                 + " STRICT",
@@ -102,10 +105,11 @@ final class Database implements AutoCloseable {
         }
     }
 
-    /** Sets this connection up for writing. */
+    /** Sets this connection up for writing. Where another folds the log, this one does it only if it grows nevertheless, as each commit then waits for the disk. */
     void prepareWriting(JournalOptions options) throws SQLException {
         run("PRAGMA synchronous=" + (options.everSyncs() ? "NORMAL" : "OFF"));
-        run("PRAGMA wal_autocheckpoint=" + options.checkpointPages());
+        int pages = options.checkpointPages();
+        run("PRAGMA wal_autocheckpoint=" + (options.checkpointsBeside() ? pages * LONGEST_LOG : pages));
     }
 
     /** Has telemetry carry checksums also in a file of the time when it had none; what is there stays without. */
@@ -187,6 +191,19 @@ final class Database implements AutoCloseable {
         PrivateFiles.restrictFile(file);
         PrivateFiles.restrictFile(log(file));
         PrivateFiles.restrictFile(index(file));
+    }
+
+    /** How many pages of the log are not folded into the file. */
+    int pagesInLog() throws SQLException {
+        try (Statement statement = connection.createStatement();
+                ResultSet log = statement.executeQuery("PRAGMA wal_checkpoint(NOOP)")) {
+            return log.next() ? log.getInt(2) - log.getInt(3) : 0;
+        }
+    }
+
+    /** Folds of the log what is committed, while others read and write. */
+    void checkpointPassive() throws SQLException {
+        run("PRAGMA wal_checkpoint(PASSIVE)");
     }
 
     /** Folds the log into the file; what cannot be folded stays in the log. */

@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
 final class EntryTable implements AutoCloseable {
     private static final int COLUMNS = 4;
     private static final String ROW = "(?,?,?,?)";
-    /** Rows of the statements there are, from many to one: 1,000 entries are 12 statements. */
-    private static final int[] ROWS = {256, 32, 4, 1};
+    /** Rows of the statements there are, from many to one: 1,000 entries are 14 statements. */
+    private static final int[] ROWS = {128, 32, 4, 1};
 
     private final Connection connection;
     private final @Nullable PreparedStatement[] statements = new PreparedStatement[ROWS.length];

@@ -46,6 +46,11 @@ public record JournalOptions(
         return new JournalOptions(snapshotEvery, syncWithinMillis, syncCommands, bytes, checkpointAfter);
     }
 
+    /** Whether the log is folded beside what is written: after each sync that comes by itself. */
+    boolean checkpointsBeside() {
+        return checkpointPages > 0 && syncWithinMillis > 0;
+    }
+
     /** Whether the loss of power is cared for at all. */
     boolean everSyncs() {
         return syncCommands || syncWithinMillis > 0;

@@ -146,9 +146,9 @@ public final class JournalTables {
         }
     }
 
-    /** Writes entries, with the documents of projects that they load. */
+    /** Writes entries, behind those that were written since the last commit, with the documents of projects that they load. */
     public void write(List<JournalEntry> batch) throws SQLException {
-        Checksum checksum = end.checksum;
+        Checksum checksum = attempted.orElse(end).checksum;
         List<RowWriter.EntryRow> rows = new ArrayList<>(batch.size());
         for (JournalEntry entry : batch) {
             if (entry.input() instanceof Input.LoadProject load) {
@@ -214,6 +214,11 @@ public final class JournalTables {
 
     private void endsAt(End last) {
         end = last;
+        attempted = Optional.empty();
+    }
+
+    /** What was written since the last commit is not in the database: its transaction was undone. */
+    void undone() {
         attempted = Optional.empty();
     }
 

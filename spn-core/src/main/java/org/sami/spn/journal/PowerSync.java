@@ -23,6 +23,7 @@ final class PowerSync implements AutoCloseable {
     private final Path log;
     private final int delayMillis;
     private final Before before;
+    private final Runnable after;
     private final ScheduledThreadPoolExecutor timer;
     private final AtomicBoolean waiting = new AtomicBoolean();
     private @Nullable FileChannel channel;
@@ -35,10 +36,12 @@ final class PowerSync implements AutoCloseable {
      *
      * @param withinMillis an upper limit; half of it is waited. 0 = nothing happens by itself
      * @param before done on the sync's thread before the log is forced by itself
+     * @param after done on the sync's thread after that; must be quick
      */
-    PowerSync(Path log, int withinMillis, Before before) {
+    PowerSync(Path log, int withinMillis, Before before, Runnable after) {
         this.log = log;
         this.before = before;
+        this.after = after;
         this.delayMillis = withinMillis / 2;
         this.timer = new ScheduledThreadPoolExecutor(1, action -> {
             Thread thread = new Thread(action, "journal-sync of " + log);
@@ -84,7 +87,9 @@ final class PowerSync implements AutoCloseable {
         } catch (IOException refused) {
             fault = refused;
             LOG.log(Level.ERROR, "the journal's log " + log + " could not be forced to disk", refused);
+            return;
         }
+        after.run();
     }
 
     /** Forces what was written until now; does nothing where there is no log. */

@@ -14,7 +14,6 @@ import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.Durability;
 import org.sami.spn.host.JournalEntry;
 import org.sami.spn.host.JournalException;
-import org.sami.spn.protocol.Input;
 
 /**
  * A session's journal, open for writing (docs/decisions 0030, 0031, 0032). One writer at a time; others may read meanwhile
@@ -26,19 +25,17 @@ import org.sami.spn.protocol.Input;
  */
 public final class SqliteJournal implements StoredJournal {
     private static final String CLOSED = "the journal is closed";
-    private static final String CANNOT = "cannot be written: ";
 
     private final Path file;
     private final JournalLock lock;
     private final Database database;
     private final JournalOptions options;
     private final PowerSync power;
+    private final LogCheckpoints checkpoints;
     private final EntryTable entries;
-    private final ProjectDocuments documents;
     private final JournalTables tables;
+    private final FileTransactions transactions;
     private final History history;
-    private boolean broken;
-    private String failure = "";
     private volatile boolean closed;
 
     private SqliteJournal(
@@ -49,7 +46,6 @@ public final class SqliteJournal implements StoredJournal {
         this.database = database;
         this.options = options;
         this.entries = new EntryTable(database.connection());
-        this.documents = new ProjectDocuments(database.connection());
         this.tables = new JournalTables(
                 file.toString(),
                 database.connection(),
@@ -57,8 +53,11 @@ public final class SqliteJournal implements StoredJournal {
                 contents,
                 new Recovery(contents.lastValid(), damage),
                 options);
+        this.transactions = new FileTransactions(database, tables);
         this.history = new History(file.toString(), database.connection(), contents, Optional.empty());
-        this.power = new PowerSync(Database.log(file), options.syncWithinMillis(), this::writeTelemetry);
+        this.checkpoints = new LogCheckpoints(file, options.checkpointsBeside() ? options.checkpointPages() : 0);
+        this.power =
+                new PowerSync(Database.log(file), options.syncWithinMillis(), this::writeTelemetry, checkpoints::look);
     }
 
     /** As many rows a statement as are quick in a file. */
@@ -195,12 +194,8 @@ public final class SqliteJournal implements StoredJournal {
         if (batch.isEmpty()) {
             return;
         }
-        commit(lastIndex() + 1, () -> {
-            if (batch.stream().anyMatch(entry -> entry.input() instanceof Input.LoadProject)) {
-                documents.makeTable();
-            }
-            tables.write(batch);
-        });
+        checkOpen(lastIndex() + 1);
+        transactions.append(batch);
         if (durability == Durability.POWER && options.syncCommands()) {
             sync();
         } else {
@@ -208,9 +203,23 @@ public final class SqliteJournal implements StoredJournal {
         }
     }
 
+    /** Begins to write them on a thread of its own. */
+    @Override
+    public synchronized void prepare(List<JournalEntry> entries) {
+        if (!closed) {
+            transactions.prepare(entries);
+        }
+    }
+
+    @Override
+    public synchronized void withdraw() {
+        transactions.withdraw();
+    }
+
     @Override
     public synchronized void check() throws IOException {
-        checkWritable(lastIndex());
+        checkOpen(lastIndex());
+        transactions.check(lastIndex());
     }
 
     @Override
@@ -221,26 +230,25 @@ public final class SqliteJournal implements StoredJournal {
     /** Also writes the telemetry that waits: when this returns the disk has taken something. */
     @Override
     public synchronized void recover() throws IOException {
-        if (closed) {
-            throw new JournalException(file, lastIndex(), CLOSED);
-        }
+        checkOpen(lastIndex());
         try {
-            database.rollBack();
+            transactions.undo();
             tables.findEnd();
             entries.close();
             if (power.hasFailed()) {
                 database.rewriteLog();
                 power.recovered();
             }
-            broken = false;
-            commit(lastIndex(), () -> {});
+            transactions.recovered();
+            commit(() -> {});
         } catch (SQLException fault) {
-            throw new JournalException(file, lastIndex(), CANNOT + Database.words(fault), fault);
+            throw new JournalException(file, lastIndex(), FileTransactions.CANNOT + Database.words(fault), fault);
         }
     }
 
     /** How large its file is, with the content of the log next to it. */
     public synchronized long bytes() throws IOException {
+        transactions.await();
         try {
             return database.bytes();
         } catch (SQLException fault) {
@@ -262,7 +270,7 @@ public final class SqliteJournal implements StoredJournal {
     public synchronized void offerSnapshot(Supplier<byte[]> state) throws IOException {
         if (tables.isSnapshotDue()) {
             byte[] bytes = state.get();
-            commit(lastIndex(), () -> tables.writeSnapshot(bytes));
+            commit(() -> tables.writeSnapshot(bytes));
             tables.snapshotCommitted();
         }
     }
@@ -270,13 +278,13 @@ public final class SqliteJournal implements StoredJournal {
     @Override
     public synchronized void mark(String text) throws IOException {
         Objects.requireNonNull(text, "text");
-        commit(lastIndex(), () -> tables.writeMark(text));
+        commit(() -> tables.writeMark(text));
     }
 
     /** It is in the file within the time of a sync, or with the next batch. */
     @Override
     public void addTelemetry(List<TelemetryRow> rows) throws IOException {
-        if (closed) {
+        if (closed) { // only then the journal's lock, for which others would wait until a batch is written
             throw new JournalException(file, lastIndex(), CLOSED);
         }
         tables.addTelemetry(rows);
@@ -298,34 +306,19 @@ public final class SqliteJournal implements StoredJournal {
     }
 
     private synchronized void writeTelemetry() throws IOException {
-        if (!closed && !broken && tables.hasTelemetry()) {
-            commit(lastIndex(), () -> {});
+        if (!closed && transactions.isIdle() && tables.hasTelemetry()) {
+            commit(() -> {});
         }
     }
 
-    /** One transaction, telemetry included. After a failure nothing more is written before {@link #recover}: the file's end is not known. */
-    private void commit(long entry, Writing writing) throws JournalException {
-        checkWritable(entry);
-        broken = true;
-        try {
-            database.run("BEGIN IMMEDIATE");
-            writing.run();
-            tables.writeTelemetry();
-            database.run("COMMIT");
-            tables.committed();
-            broken = false;
-        } catch (SQLException fault) {
-            failure = Database.words(fault);
-            throw new JournalException(file, entry, CANNOT + failure, fault);
-        }
+    private void commit(FileTransactions.Writing writing) throws JournalException {
+        checkOpen(lastIndex());
+        transactions.run(lastIndex(), writing);
     }
 
-    private void checkWritable(long entry) throws JournalException {
+    private void checkOpen(long entry) throws JournalException {
         if (closed) {
             throw new JournalException(file, entry, CLOSED);
-        }
-        if (broken) {
-            throw new JournalException(file, entry, CANNOT + failure);
         }
     }
 
@@ -335,10 +328,13 @@ public final class SqliteJournal implements StoredJournal {
         if (closed) {
             return;
         }
+        transactions.withdraw();
         try (JournalLock released = lock;
                 Database ended = database;
-                PowerSync stopped = power) {
-            if (!broken) {
+                PowerSync stopped = power;
+                FileTransactions over = transactions) {
+            checkpoints.close();
+            if (!transactions.isBroken()) {
                 writeTelemetry();
                 entries.close();
                 database.checkpoint();
@@ -348,10 +344,5 @@ public final class SqliteJournal implements StoredJournal {
         } finally {
             closed = true;
         }
-    }
-
-    @FunctionalInterface
-    private interface Writing {
-        void run() throws SQLException;
     }
 }

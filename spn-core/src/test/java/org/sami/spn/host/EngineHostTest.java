@@ -6,6 +6,7 @@ import static org.sami.spn.host.HostPlans.number;
 import static org.sami.spn.host.HostPlans.start;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.RejectedExecutionException;
@@ -68,6 +69,17 @@ class EngineHostTest extends HostOnManualExecutor {
                         "heard 3",
                         "handled 2",
                         "snapshot offered");
+    }
+
+    @Test
+    void aJournalGetsALargeBatchPartByPartAndNothingLeavesBeforeAllOfItIsWritten() {
+        host.addListener((index, at, input, effects, view) -> log.add("heard " + index));
+        host.post(Collections.nCopies(300, number(1)));
+        executor.runAll();
+
+        assertThat(log)
+                .hasSize(304)
+                .startsWith("prepared to 128", "prepared to 256", "append to 300 PROCESS", "heard 1");
     }
 
     @Test

@@ -71,6 +71,11 @@ final class WatchedJournal implements InputJournal {
     }
 
     @Override
+    public void prepare(List<JournalEntry> entries) {
+        log.add("prepared to " + entries.get(entries.size() - 1).index());
+    }
+
+    @Override
     public void offerSnapshot(Supplier<byte[]> state) {
         log.add("snapshot offered");
     }

@@ -132,6 +132,43 @@ class FullDiskTest {
     }
 
     @Test
+    void aHostWhoseDiskFillsInTheMiddleOfALargeBatchLetsNothingOfItOutAndThenAllOfIt() throws Exception {
+        Engine engine = HostPlans.engine();
+        EngineState state = engine.newState();
+        ManualClock clock = new ManualClock();
+        ManualExecutor executor = new ManualExecutor();
+        List<Long> heard = new ArrayList<>();
+        try (SqliteJournal journal = SqliteJournal.create(file, Tour.HEADER, JournalOptions.DEFAULT);
+                EngineHost host = EngineHostBuilder.of(engine, state)
+                        .journal(journal)
+                        .clock(clock)
+                        .executor(executor)
+                        .build()) {
+            host.addListener((index, at, input, effects, view) -> heard.add(index));
+            journal.leaveRoomFor(4);
+            host.post(numbers(1, 2000).stream().map(JournalEntry::input).toList());
+            executor.runAll();
+            host.post(number(2001));
+            executor.runAll();
+
+            assertThat(host.status().kind()).isEqualTo(Kind.WAITING);
+            assertThat(host.status().reason()).isEqualTo("the journal cannot be written: the disk is full");
+            assertThat(host.status().details()).startsWith(file + ", entry 1: ");
+            assertThat(heard).isEmpty();
+
+            journal.leaveRoomFor(PLENTY);
+            clock.moveTo(1000);
+            executor.runAll();
+            assertThat(heard).isEqualTo(LongStream.rangeClosed(1, 2001).boxed().toList());
+        }
+
+        try (JournalReader reader = JournalReader.open(file)) {
+            assertThat(reader.lastIndex()).isEqualTo(2001);
+            assertThat(StateCodec.encode(reader.stateAt(2001, engine))).isEqualTo(StateCodec.encode(state));
+        }
+    }
+
+    @Test
     void aHostGoesOnWhereItWaitedAndItsJournalReplaysToTheSameState() throws Exception {
         Engine engine = HostPlans.engine();
         EngineState state = engine.newState();

@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
+import org.sami.spn.engine.StateKey;
 import org.sami.spn.plannet.PlanNet;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.FollowedMarking;
@@ -32,6 +33,7 @@ final class EngineMarkings {
     private final PlanNet net;
     private final List<Input> news = new ArrayList<>();
     private final Set<String> all = new TreeSet<>();
+    private boolean isWhole;
 
     EngineMarkings(PlanNet net, List<String> events) {
         this.net = net;
@@ -58,17 +60,18 @@ final class EngineMarkings {
         EngineState first = engine.newState();
         net.request().robots().forEach(robot -> engine.step(first, 0, new Input.ProxyJoined(robot)));
         step(first, new Input.StartMission(net.request().plan(), "m", Map.of()));
-        Set<String> known = new HashSet<>(Set.of(words(first)));
+        Set<Object> known = new HashSet<>(Set.of(key(first)));
         Deque<EngineState> open = new ArrayDeque<>(List.of(first));
         while (!open.isEmpty() && known.size() <= MOST_MARKINGS) {
             EngineState state = open.remove();
             for (Input input : news) {
                 EngineState next = state.copy();
-                if (step(next, input) && known.add(words(next))) {
+                if (step(next, input) && known.add(key(next))) {
                     open.add(next);
                 }
             }
         }
+        isWhole = open.isEmpty();
         for (int walk = 0; walk < WALKS; walk++) {
             EngineState state = first.copy();
             for (int i = 0; i < LENGTH; i++) {
@@ -99,19 +102,34 @@ final class EngineMarkings {
         return hasFired;
     }
 
-    private String words(EngineState state) {
+    /** Whether all that news brings about at once was followed. */
+    boolean isWhole() {
+        return isWhole;
+    }
+
+    /** One state of each marking; where sub-missions run, what they brought back counts as well. */
+    private Object key(EngineState state) {
+        if (net.followsSubMissions()) {
+            return StateKey.of(state);
+        }
         FollowedMarking marking = new FollowedMarking();
         engine.view(state).markingAsEffects().forEach(marking);
-        return words(marking);
+        return words(marking, marking.missions());
     }
 
     private void keep(FollowedMarking marking) {
-        all.add(words(marking));
+        all.add(words(marking, net.followsSubMissions() ? roots(marking) : marking.missions()));
     }
 
-    private static String words(FollowedMarking marking) {
+    private static List<Long> roots(FollowedMarking marking) {
+        return marking.missions().stream()
+                .filter(mission -> marking.parent(mission).isEmpty())
+                .toList();
+    }
+
+    private static String words(FollowedMarking marking, List<Long> missions) {
         List<String> words = new ArrayList<>();
-        marking.missions().forEach(mission -> {
+        missions.forEach(mission -> {
             SortedMap<String, SortedMap<String, Integer>> seen = new TreeMap<>();
             marking.marking(mission)
                     .forEach((place, tokens) -> tokens.forEach(token -> seen.computeIfAbsent(

@@ -87,7 +87,8 @@ class ExactNetTest {
                 : Optional.empty();
     }
 
-    private static Set<String> markings(PlanNet net, ReachabilityGraph graph) {
+    /** All markings of a graph in words. */
+    static Set<String> markings(PlanNet net, ReachabilityGraph graph) {
         Set<String> all = new TreeSet<>();
         for (int state = 0; state < graph.states(); state++) {
             all.add(net.marking(graph.marking(state)).tokens().toString());

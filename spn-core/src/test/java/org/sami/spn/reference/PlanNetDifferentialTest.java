@@ -46,8 +46,29 @@ class PlanNetDifferentialTest {
         assertThat(firings.get()).isGreaterThan(SEEDS * 3);
     }
 
+    @Test
+    void netsThatFollowSubMissionsDoWhatTheEngineDoes() {
+        AtomicLong firings = new AtomicLong();
+        AtomicLong sessions = new AtomicLong();
+
+        List<String> differences = LongStream.range(FIRST_SEED, FIRST_SEED + SEEDS)
+                .parallel()
+                .mapToObj(seed -> difference(seed, 2, firings, sessions))
+                .flatMap(Optional::stream)
+                .limit(5)
+                .toList();
+
+        assertThat(differences).isEmpty();
+        assertThat(firings.get()).isGreaterThan(SEEDS * 3);
+    }
+
     /** What the engine did in a seed's session and the net cannot do; empty where it can do all. */
     static Optional<String> difference(long seed, AtomicLong firings, AtomicLong sessions) {
+        return difference(seed, 0, firings, sessions);
+    }
+
+    /** The same where so many levels of sub-missions are followed. */
+    static Optional<String> difference(long seed, int depth, AtomicLong firings, AtomicLong sessions) {
         Project project = RandomPlans.project(seed);
         RandomInputs world = new RandomInputs(project, seed);
         Subject engine = new EngineSubject(TestVocabulary.TEST, project, Scenario.LIVELOCK_LIMIT);
@@ -59,14 +80,14 @@ class PlanNetDifferentialTest {
             boolean starts =
                     input instanceof Input.StartMission start && start.plan().equals("main");
             if (starts && followed == null) {
-                Optional<PlanNet> net = net(project, joined);
+                Optional<PlanNet> net = net(project, joined, depth);
                 if (net.isEmpty()) {
                     return Optional.empty();
                 }
                 followed = new FollowedNet(net.get(), 1);
             } else if (input instanceof Input.ProxyJoined join && followed == null) {
                 joined.add(join.proxy());
-            } else if (isLeftOut(input) || starts) {
+            } else if (isLeftOut(input) || starts || (depth > 0 && followed != null && endsAChild(followed, input))) {
                 continue;
             }
             List<Effect> effects = engine.step(timed.nowMillis(), input);
@@ -93,15 +114,21 @@ class PlanNetDifferentialTest {
         return Optional.empty();
     }
 
-    private static Optional<PlanNet> net(Project project, List<String> robots) {
+    private static Optional<PlanNet> net(Project project, List<String> robots, int depth) {
         try {
-            PlanNet net =
-                    PlanNet.of(new PlanNetRequest(project, TestVocabulary.TEST, "main", robots, 2, MOST_TRANSITIONS));
+            PlanNet net = PlanNet.of(new PlanNetRequest(
+                    project, TestVocabulary.TEST, "main", robots, 2, MOST_TRANSITIONS * (1 + depth), depth));
             boolean isPartial = net.abstractions().stream().anyMatch(a -> a.kind() == Abstraction.Kind.PARTIAL);
             return isPartial ? Optional.empty() : Optional.of(net);
         } catch (PlanNetTooLargeException e) {
             return Optional.empty();
         }
+    }
+
+    /** Nobody aborts or completes a sub-mission that is followed. */
+    private static boolean endsAChild(FollowedNet followed, Input input) {
+        return (input instanceof Input.AbortMission abort && followed.isChild(abort.mission()))
+                || (input instanceof Input.CompleteMission complete && followed.isChild(complete.mission()));
     }
 
     /** The team stays as it is, tasks are those of the plan, news is what may be news. */

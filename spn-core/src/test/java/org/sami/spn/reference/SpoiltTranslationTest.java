@@ -64,7 +64,7 @@ class SpoiltTranslationTest {
                         "fresh[s.edge()] += 1"),
                 plan(
                         "an end does not end the mission",
-                        "TransitionCases",
+                        "FiringEffects",
                         "arcs.remove(running, 1)",
                         "arcs.atLeast(running, 1)"),
                 plan(
@@ -74,13 +74,14 @@ class SpoiltTranslationTest {
                         "if (!mustHaveRelevant && "),
                 plan(
                         "nobody looks where tokens entered",
-                        "TransitionCases",
-                        "entered.forEach(edge -> occasions(selections.target(edge), arcs))",
+                        "FiringEffects",
+                        "entered.forEach(edge -> work.places().occasions(work.plan(), selections.target(edge), true,"
+                                + " arcs))",
                         ""),
                 plan(
                         "nobody looks where tokens left",
-                        "TransitionCases",
-                        "left.forEach(place -> occasions(place, arcs))",
+                        "FiringEffects",
+                        "left.forEach(place -> work.places().occasions(work.plan(), place, false, arcs))",
                         ""),
                 plan(
                         "nobody looks at the start",

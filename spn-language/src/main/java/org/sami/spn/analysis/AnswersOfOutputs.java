@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.vocabulary.DecisionType;
 import org.sami.spn.vocabulary.EventFlag;
@@ -13,6 +14,21 @@ import org.sami.spn.vocabulary.EventRole;
 final class AnswersOfOutputs implements PlanCheck {
     private static final Set<EventRole> ANSWERED_BY_THE_MISSION =
             Set.of(EventRole.ABORT_MISSION, EventRole.COMPLETE_MISSION);
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "W-UNANSWERED",
+                        "The answer comes and moves nobody: the tokens stay in the place and the mission does not go "
+                                + "on.",
+                        "Draw a transition after the place that waits for the answer."),
+                new Advice(
+                        "W-ANSWER-IGNORED",
+                        "If the operator gives the answer that nobody waits for, the tokens stay in the place and the"
+                                + " mission hangs.",
+                        "Draw a transition after the place that waits for the other answer too."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

@@ -1,9 +1,11 @@
 package org.sami.spn.analysis;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.edit.EventEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.MarkupSpec;
 import org.sami.spn.value.EnumValue;
@@ -15,6 +17,24 @@ import org.sami.spn.vocabulary.Reserved;
 
 /** Where autonomy is to answer it can, and knows when (markup Mixed Initiative Trigger, appendix .2.3). */
 final class Autonomy implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "E-NO-TIMEOUT",
+                        "Without a time autonomy never answers, and nobody knows when the operator has to.",
+                        "Give the time in seconds, or let the operator alone answer."),
+                new Advice(
+                        "E-DRAWN-BY-AUTONOMY",
+                        "Nobody can make up what is to be drawn on the map: the mission would wait for an answer that"
+                                + " never comes.",
+                        "Let the operator alone answer."),
+                new Advice(
+                        "W-NO-AUTOMATIC-ANSWER",
+                        "When the time is over nothing happens: the mission waits for the operator all the same.",
+                        "Let the operator alone answer, or ask for something that autonomy can choose."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedOutput output : plan.outputs()) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
@@ -18,6 +19,20 @@ import org.sami.spn.vocabulary.GeographyMark;
  * uses the location stays. Which fields hold such areas the vocabulary says ({@link GeographyMark}).
  */
 final class AvoidedAreas implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "W-AVOIDED",
+                        "The robot is sent into an area that the plan tells it to avoid: it refuses the path or "
+                                + "stands at the edge.",
+                        "Move the location out of the area, or make the area smaller."),
+                new Advice(
+                        "W-OUTSIDE",
+                        "The location lies where its event does not let the robot go: it is never reached.",
+                        "Move the location into the area, or make the area larger."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         GeoValues values = new GeoValues(plan);

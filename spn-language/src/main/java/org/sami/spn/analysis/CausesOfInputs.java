@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.vocabulary.EventFlag;
 import org.sami.spn.vocabulary.EventRole;
@@ -21,6 +22,16 @@ final class CausesOfInputs implements PlanCheck {
             EventRole.COMPLETE_RECEIVED,
             EventRole.SUB_MISSION_ABORTED,
             EventRole.CHECK_RETURN);
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "E-NO-CAUSE",
+                "The answer never comes, as no place before the transition asks for it: the transition never "
+                        + "fires.",
+                "Put the output event that asks on a place before the transition, or wait for an answer to "
+                        + "what is asked there."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

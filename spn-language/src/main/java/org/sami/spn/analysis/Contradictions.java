@@ -2,6 +2,7 @@ package org.sami.spn.analysis;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -10,6 +11,14 @@ import org.sami.spn.model.TokenKind;
 
 /** The requirements of one edge can hold together; else its transition never fires (R-IN-3). */
 final class Contradictions implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-CONTRADICTION",
+                "No marking fulfils all requirements of the edge: its transition never fires.",
+                "Take away or change one of the requirements."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (InEdge edge : plan.plan().inEdges()) {

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.Edit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
@@ -21,6 +22,14 @@ import org.sami.spn.vocabulary.TokenNeed;
  */
 final class EdgesWithoutRequirement implements PlanCheck {
     private static final String CODE = "E-NO-REQUIREMENT";
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                CODE,
+                "Without a requirement nobody knows which tokens the edge waits for or moves.",
+                "Give the edge a requirement; if it wants none, let it say \"unconditional\"."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

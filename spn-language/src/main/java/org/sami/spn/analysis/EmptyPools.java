@@ -3,6 +3,7 @@ package org.sami.spn.analysis;
 import java.util.List;
 import java.util.function.Consumer;
 import org.sami.spn.edit.EdgeEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.OutEdge;
@@ -12,6 +13,14 @@ import org.sami.spn.model.Transition;
 
 /** What is taken or consumed comes from the places before the transition (thesis 4.1.3); without any there is nothing. */
 final class EmptyPools implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-EMPTY-POOL",
+                "There is nobody to take: the place behind the edge stays empty.",
+                "Let the edge add tokens, or draw a place with tokens before the transition."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Transition t : plan.plan().transitions()) {

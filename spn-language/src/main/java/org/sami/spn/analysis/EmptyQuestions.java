@@ -1,7 +1,9 @@
 package org.sami.spn.analysis;
 
+import java.util.List;
 import java.util.function.Consumer;
 import org.sami.spn.edit.FieldEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TextValue;
@@ -9,6 +11,14 @@ import org.sami.spn.vocabulary.Reserved;
 
 /** Questions and messages to the operator are not empty: no text is blank, and no list of requested values is empty. */
 final class EmptyQuestions implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-EMPTY-QUESTION",
+                "The operator gets a dialog or button without words and cannot know what is asked.",
+                "Write the question, message or name."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (KnownFields.Known known : plan.known().all()) {

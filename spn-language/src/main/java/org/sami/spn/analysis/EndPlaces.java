@@ -4,11 +4,33 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.edit.VertexEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 
 /** A plan can reach an end, and nothing follows an end (thesis 4.3.3, Start and End Places). */
 final class EndPlaces implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "W-NO-END",
+                        "The mission never ends by itself: the operator has to abort it.",
+                        "Mark the place where the work is done as the end."),
+                new Advice(
+                        "W-END-UNREACHABLE",
+                        "No run comes to the end: the mission never ends by itself.",
+                        "Draw the edges that lead to the end place, or mark another place as the end."),
+                new Advice(
+                        "E-END-GOES-ON",
+                        "The mission is over when a token comes to the end: the transition behind it never fires.",
+                        "Delete the edge to that transition, or do not mark the place as the end."),
+                new Advice(
+                        "W-ENDS-NOTHING",
+                        "Only an end place ends the shared instance: the mark has no effect.",
+                        "Mark the place as an end too, or take the mark away."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         List<Place> ends = plan.plan().places().stream().filter(Place::end).toList();

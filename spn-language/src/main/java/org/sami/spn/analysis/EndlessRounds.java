@@ -2,9 +2,11 @@ package org.sami.spn.analysis;
 
 import java.util.EnumSet;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Place;
@@ -17,6 +19,14 @@ import org.sami.spn.vocabulary.EventFlag;
  */
 final class EndlessRounds implements PlanCheck {
     private static final Set<TokenType> TASKS = EnumSet.of(TokenType.TASK);
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-GOES-ROUND",
+                "The tasks are done again and again: the mission ends only when something fails.",
+                "Lead one transition of the round to a place on the way to the end."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

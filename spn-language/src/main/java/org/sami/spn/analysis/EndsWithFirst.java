@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.edit.VertexEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.InEdge;
@@ -20,6 +21,15 @@ import org.sami.spn.vocabulary.EventFlag;
  * fails may be what its author wants.
  */
 final class EndsWithFirst implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-ENDS-WITH-FIRST",
+                "The others are left where they are, with their work undone, as soon as the first is back.",
+                "Let the transition before the end also ask for none (= 0) in the places where others may "
+                        + "still be."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Transition t : plan.plan().transitions()) {

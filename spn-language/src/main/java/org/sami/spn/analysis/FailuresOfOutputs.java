@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.Plan;
@@ -18,6 +19,15 @@ import org.sami.spn.vocabulary.EventType;
  * may be waited for anywhere in the plan, or in one that runs it. Where no answer at all is awaited, {@link AnswersOfOutputs} says so.
  */
 final class FailuresOfOutputs implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-FAILURE-IGNORED",
+                "When the command fails its robot stays in the place: nothing moves it on and the mission " + "hangs.",
+                "Draw a transition after the place that waits for the failure, and lead it to what is to be "
+                        + "done then."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedOutput output : plan.outputs()) {

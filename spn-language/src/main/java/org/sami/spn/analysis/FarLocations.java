@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.vocabulary.Geography;
@@ -13,6 +14,19 @@ import org.sami.spn.vocabulary.Geography;
  * mistake, most often of latitude and longitude. What robots are launched at counts as the other locations do.
  */
 final class FarLocations implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "W-FAR-AWAY",
+                        "The robot would drive much farther than missions usually go, perhaps into another water.",
+                        "Correct the location; if it is meant so, the warning may stay."),
+                new Advice(
+                        "W-SWAPPED",
+                        "With latitude and longitude exchanged the location lies in another part of the world.",
+                        "Exchange latitude and longitude."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         Optional<Geography> geography = plan.vocabulary().geography();

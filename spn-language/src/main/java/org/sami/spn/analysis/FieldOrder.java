@@ -7,10 +7,19 @@ import org.sami.spn.analysis.KnownFields.Known;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 
 /** Of two numbers of one event, one of which the domain wants above the other, it is: a low level is above the critical one. */
 final class FieldOrder implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-NOT-ABOVE",
+                "The lower level is passed first, so what the higher one is to warn of is never in time.",
+                "Exchange the two values, or raise the upper one."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedOutput output : plan.outputs()) {

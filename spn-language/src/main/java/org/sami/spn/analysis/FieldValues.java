@@ -1,11 +1,13 @@
 package org.sami.spn.analysis;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.edit.FieldEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.FieldSource;
@@ -18,6 +20,19 @@ import org.sami.spn.vocabulary.FieldType;
 
 /** Values that stand in a plan are of their field's type, and the fields exist. */
 final class FieldValues implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "E-FIELD-TYPE",
+                        "The handler of the event cannot read the value.",
+                        "Write a value of the type that the field has."),
+                new Advice(
+                        "E-UNKNOWN-FIELD",
+                        "The event has no such field: the value reaches nobody.",
+                        "Correct the name of the field, or delete it."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedOutput output : plan.outputs()) {

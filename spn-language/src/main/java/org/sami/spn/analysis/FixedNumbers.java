@@ -1,7 +1,9 @@
 package org.sami.spn.analysis;
 
+import java.util.List;
 import java.util.function.Consumer;
 import org.sami.spn.edit.EdgeEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
@@ -15,6 +17,16 @@ import org.sami.spn.vocabulary.EventRole;
  * drawn for another number.
  */
 final class FixedNumbers implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-FIXED-NUMBER",
+                "How many there are shows only in the run; with any other number the transition never fires "
+                        + "and the mission hangs.",
+                "Ask for at least 1 here and for none (= 0) in the places before, or draw what happens with "
+                        + "another number."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (InEdge edge : plan.plan().inEdges()) {

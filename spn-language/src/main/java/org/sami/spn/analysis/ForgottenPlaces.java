@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
@@ -32,6 +33,15 @@ import org.sami.spn.model.Transition;
  */
 final class ForgottenPlaces implements PlanCheck {
     private static final Set<TokenType> NAMED = EnumSet.of(TokenType.PROXY, TokenType.TASK);
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-PLACE-FORGOTTEN",
+                "The transition fires while somebody is still in the place that it does not look at: that "
+                        + "robot or task is left behind.",
+                "Let the transition also ask for none (= 0) in that place."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

@@ -1,14 +1,24 @@
 package org.sami.spn.analysis;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.edit.Edit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.value.RealValue;
 
 /** What is given in percent is no fraction of 1. */
 final class FractionsForPercent implements PlanCheck {
     private static final String PERCENT = "%";
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-FRACTION",
+                "The value is read as percent: a level of 0.3 is nearly an empty battery.",
+                "Write percent: 30 in place of 0.3."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

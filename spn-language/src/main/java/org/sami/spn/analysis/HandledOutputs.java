@@ -1,9 +1,11 @@
 package org.sami.spn.analysis;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.vocabulary.EventRole;
 
@@ -13,6 +15,14 @@ final class HandledOutputs implements PlanCheck {
 
     HandledOutputs(Set<String> handled) {
         this.handled = Set.copyOf(Objects.requireNonNull(handled, "handled"));
+    }
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-NO-HANDLER",
+                "Nothing carries the event out and nothing answers: the mission hangs at the place.",
+                "Use an event that the program handles, or run the plan in a program that handles this one."));
     }
 
     @Override

@@ -1,8 +1,10 @@
 package org.sami.spn.analysis;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
@@ -16,6 +18,14 @@ import org.sami.spn.vocabulary.EventFlag;
 
 /** The news that all is well takes no robot from its work: it comes at once, of each healthy robot ({@link EventFlag#NOMINAL}). */
 final class HealthyLedAway implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-HEALTHY-LED-AWAY",
+                "Good news comes again and again: each time a robot that works well is taken from its " + "command.",
+                "Wait for the news that the robot is not well."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedInput input : plan.inputs()) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.value.Value;
@@ -14,6 +15,14 @@ import org.sami.spn.vocabulary.Reserved;
 
 /** Two buttons of one name are one button: pressing it concerns both transitions where both have somebody to take. */
 final class InterruptNames implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-INTERRUPT-TWICE",
+                "The operator sees one button for two interrupts, and the first takes what the other waits " + "for.",
+                "Give one of the two another name."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         Map<Value, List<PlacedInput>> buttons = new LinkedHashMap<>();

@@ -1,8 +1,10 @@
 package org.sami.spn.analysis;
 
+import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.edit.RemoveElements;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
@@ -14,6 +16,19 @@ import org.sami.spn.vocabulary.EventType;
 
 /** What a plan speaks of exists: event types on their side, both ends of edges. Readers refuse such files already. */
 final class KnownNames implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "E-DANGLING",
+                        "The edge, order or layout speaks of an element that is not there: the plan cannot be run.",
+                        "Delete it, or add the element."),
+                new Advice(
+                        "E-UNKNOWN-EVENT",
+                        "The domain has no such event: nobody can carry it out or send it.",
+                        "Choose an event of the domain, or correct the name."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Place place : plan.plan().places()) {

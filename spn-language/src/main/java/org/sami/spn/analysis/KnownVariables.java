@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.edit.SetReads;
 import org.sami.spn.edit.VariableEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.Place;
@@ -16,6 +17,14 @@ import org.sami.spn.value.ValueType;
 
 /** What is read has been declared, or is written somewhere in the plan (R-VAR-1). */
 final class KnownVariables implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "E-VARIABLE-UNKNOWN",
+                "The variable has no value at any time: what reads it gets none.",
+                "Correct the name, or declare the variable."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         VariableScope scope = plan.scope();

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.Match;
@@ -21,6 +22,14 @@ import org.sami.spn.model.Transition;
  * share a transition are reported as one.
  */
 final class Livelocks implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-LIVELOCK",
+                "The ring can fire without end in one moment; the mission is then halted.",
+                "Let a transition of the ring wait for an input event, or take a token out of the ring."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         Map<String, List<String>> next = new LinkedHashMap<>();

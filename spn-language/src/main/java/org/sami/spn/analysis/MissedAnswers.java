@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
@@ -21,6 +22,15 @@ import org.sami.spn.vocabulary.TokenNeed;
 final class MissedAnswers implements PlanCheck {
     private static final Set<TokenKind> MOVES_PROXIES =
             EnumSet.of(TokenKind.ANY_PROXY, TokenKind.ANY_TOKEN, TokenKind.RELEVANT);
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-ANSWER-MISSED",
+                "An answer that names somebody in the second place never fires the transition: that robot or "
+                        + "task stays there.",
+                "Ask for at least 1 relevant token, or draw a transition for each place."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

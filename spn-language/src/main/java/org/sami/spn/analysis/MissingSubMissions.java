@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
 import org.sami.spn.edit.EdgeEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
@@ -20,6 +21,14 @@ final class MissingSubMissions implements PlanCheck {
 
     /** What a sub-mission reports to the transitions after its place. */
     static final Set<EventRole> REPORTED = Set.of(EventRole.CHECK_RETURN, EventRole.SUB_MISSION_ABORTED);
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                NO_SUB_MISSION,
+                "There is no such sub-mission: the transition waits for what never comes.",
+                "Put the sub-mission on the place, or correct the name."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

@@ -11,6 +11,7 @@ import org.sami.spn.analysis.PlanContext.PlacedOutput;
 import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EventEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.FieldSource;
@@ -34,6 +35,14 @@ import org.sami.spn.vocabulary.Reserved;
  */
 final class NamedTasks implements PlanCheck {
     private static final String CODE = "E-UNKNOWN-TASK";
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                CODE,
+                "There is no task of that name or class: nobody can be given it.",
+                "Correct the name, or add the task to the plan."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

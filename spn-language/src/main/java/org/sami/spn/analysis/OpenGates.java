@@ -3,6 +3,7 @@ package org.sami.spn.analysis;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.InEdge;
@@ -16,6 +17,15 @@ import org.sami.spn.model.Transition;
  * waits for more than the first. One that asks only for at least 1 lets each go on as it comes.
  */
 final class OpenGates implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-OPEN-GATE",
+                "The place is to gather them, but the first goes on alone.",
+                "Let the transition also ask for none (= 0) in the place from which they come, or leave the "
+                        + "gathering place out."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Transition t : plan.plan().transitions()) {

@@ -7,6 +7,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Stream;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -84,6 +86,14 @@ public final class PlanChecks {
     private static final List<PlanCheck> INDEPENDENT = List.of(new StartPlace());
 
     private PlanChecks() {}
+
+    /** Why each finding about a plan matters and how it is mended: one for each code, in the order of the checks. */
+    public static List<Advice> advice() {
+        return Stream.of(OF_PLANS, OF_RUNS, List.<PlanCheck>of(new HandledOutputs(Set.of())))
+                .flatMap(List::stream)
+                .flatMap(check -> check.advice().stream())
+                .toList();
+    }
 
     /**
      * The findings about plans whose document has errors, and which are therefore not loaded: only what does not follow

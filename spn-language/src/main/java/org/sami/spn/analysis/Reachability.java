@@ -6,12 +6,21 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Transition;
 
 /** Every place and transition can be reached along edges, from the start or from a transition that waits for news alone. */
 final class Reachability implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-UNREACHABLE",
+                "No run comes there: what is drawn there is never done.",
+                "Draw an edge that leads there, or delete it."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         if (plan.plan().startPlace().isEmpty()) {

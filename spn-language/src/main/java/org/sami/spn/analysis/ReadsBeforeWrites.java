@@ -13,6 +13,7 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.InEdge;
@@ -31,6 +32,14 @@ import org.sami.spn.vocabulary.FieldType;
  * is assumed.
  */
 final class ReadsBeforeWrites implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-NOT-YET-WRITTEN",
+                "On one way to the place the variable has no value yet: the event fails there.",
+                "Let each way to the place pass the answer that writes the variable."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         List<String> variables = plan.plan().variables().stream()

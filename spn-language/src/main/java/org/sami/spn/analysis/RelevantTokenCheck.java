@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.edit.EdgeEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.flow.NamedTokens;
 import org.sami.spn.flow.TokenType;
@@ -18,6 +19,21 @@ import org.sami.spn.model.Transition;
 
 /** Relevant tokens are those that an input event names: without such an event there are none (thesis 3.1, 9.3.4). */
 final class RelevantTokenCheck implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "E-RELEVANT-WITHOUT-EVENT",
+                        "Relevant tokens are those whom an input event names, and the transition has none: the edge "
+                                + "moves nobody.",
+                        "Speak of robots or tasks in the requirement, or give the transition an input event."),
+                new Advice(
+                        "W-RELEVANT-NOBODY",
+                        "The input events of the transition name nobody, so there are no relevant tokens: the edge "
+                                + "moves nobody.",
+                        "Speak of robots or tasks in the requirement, or wait for an event that names them."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Transition t : plan.plan().transitions()) {

@@ -1,9 +1,11 @@
 package org.sami.spn.analysis;
 
+import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.vocabulary.EventRole;
 import org.sami.spn.vocabulary.FieldType;
@@ -12,6 +14,14 @@ import org.sami.spn.vocabulary.FieldType;
 final class RequiredFields implements PlanCheck {
     /** Input events whose fields say what they wait for; the fields of the others are filled by what arrives. */
     private static final Set<EventRole> SELECTED_BY_FIELDS = Set.of(EventRole.INTERRUPT, EventRole.CHECK_RETURN);
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "E-FIELD-MISSING",
+                "The event cannot be carried out without the field.",
+                "Give the field a value, a variable, a field of the task, or ask the operator for it."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

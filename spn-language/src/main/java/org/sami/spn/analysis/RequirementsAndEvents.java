@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.InRequirement;
 import org.sami.spn.model.OutRequirement;
@@ -16,6 +17,15 @@ import org.sami.spn.vocabulary.TokenNeed;
 /** A transition whose input events name proxies or tasks does something with them (thesis 4.3.3, Token Requirements). */
 final class RequirementsAndEvents implements PlanCheck {
     private static final Set<TokenKind> NOT_ABOUT_ANYBODY = EnumSet.of(TokenKind.GENERIC, TokenKind.UNCONDITIONAL);
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-NAMED-IGNORED",
+                "The event says which robots or tasks it is about, but the transition moves others or none of"
+                        + " them.",
+                "Speak of relevant tokens in the requirements of its edges."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

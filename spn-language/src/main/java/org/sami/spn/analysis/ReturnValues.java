@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.model.Plan;
@@ -17,6 +18,14 @@ import org.sami.spn.vocabulary.Reserved;
 
 /** Who waits for a value that a sub-mission returns has one before it that can return it (appendix .2.2). */
 final class ReturnValues implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-NEVER-RETURNED",
+                "The sub-mission never returns that value: the transition never fires.",
+                "Correct the value, or let an end place of the sub-mission return it."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedInput input : plan.inputs()) {

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
@@ -26,6 +27,14 @@ import org.sami.spn.vocabulary.EventType;
  * it; a place can be entered after that when something on the way to it can happen more than once.
  */
 final class SharedInstancesOver implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-SHARED-OVER",
+                "The shared sub-mission is over by then: who enters the place later is never brought back.",
+                "Lead them elsewhere once it is over, or let the sub-mission not end its shared instance."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Place place : plan.plan().places()) {

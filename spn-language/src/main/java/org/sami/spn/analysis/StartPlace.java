@@ -4,11 +4,29 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.edit.VertexEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 
 /** A plan has exactly one start place, which is no end place (thesis 3.1, 4.3.3 Start and End Places). */
 final class StartPlace implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "E-NO-START",
+                        "Nobody knows where the mission begins: it cannot be started.",
+                        "Mark the first place as the start."),
+                new Advice(
+                        "E-TWO-STARTS",
+                        "A mission begins in one place: with two nobody knows where.",
+                        "Keep one start, and lead from it to the other."),
+                new Advice(
+                        "E-START-IS-END",
+                        "The mission would be over as it begins.",
+                        "Take one of the two marks away."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         List<Place> starts = plan.plan().places().stream().filter(Place::start).toList();

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.edit.RemoveElements;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -15,6 +16,28 @@ import org.sami.spn.model.Transition;
 
 /** Sub-missions exist, do not contain themselves, and can come to an end where somebody waits for it (thesis 3.1). */
 final class SubMissionCheck implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "E-UNKNOWN-PLAN",
+                        "There is no such plan in the project: the sub-mission cannot begin.",
+                        "Correct the id, or add the plan to the project."),
+                new Advice(
+                        "E-RECURSION",
+                        "The sub-mission would start itself without end.",
+                        "Take the sub-mission out of the plan that it leads back to."),
+                new Advice(
+                        "W-SUB-MISSION-ENDLESS",
+                        "The sub-mission never ends by itself: what waits for its end waits forever.",
+                        "Give the plan of the sub-mission an end that can be reached, or abort it from here."),
+                new Advice(
+                        "W-SHARED-AT-START",
+                        "The shared sub-mission gets every token as the mission begins, also those that it is not "
+                                + "meant for.",
+                        "Put the sub-mission on a place after the start."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (Place place : plan.plan().places()) {

@@ -1,8 +1,10 @@
 package org.sami.spn.analysis;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.FieldSource;
 import org.sami.spn.value.ValueType;
@@ -10,6 +12,14 @@ import org.sami.spn.vocabulary.FieldType;
 
 /** {@code @task} reads a field of the entering tasks: some class of tasks has that field, of that type (thesis 9.3.4). */
 final class TaskFields implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "E-TASK-FIELD",
+                "No task has a field of that name and type: the event gets no value.",
+                "Choose a field that a class of tasks has, or add it to the class."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedOutput output : plan.outputs()) {

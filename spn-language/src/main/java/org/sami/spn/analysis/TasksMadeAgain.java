@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.OutEdge;
@@ -15,6 +16,14 @@ import org.sami.spn.vocabulary.EventRole;
 
 /** Tasks are not led back to before the place that makes them: it would make them once more. */
 final class TasksMadeAgain implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-TASKS-MADE-AGAIN",
+                "Whenever a task is led back all tasks are made once more: there are more and more of them.",
+                "Lead the tasks to a place after the one that makes them."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (PlacedOutput output : plan.outputs()) {

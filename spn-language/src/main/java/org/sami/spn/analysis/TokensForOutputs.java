@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.OutRequirement;
@@ -25,6 +26,19 @@ final class TokensForOutputs implements PlanCheck {
             TokenKind.ANY_TOKEN,
             TokenKind.RELEVANT,
             TokenKind.SUB_MISSION_TOKENS);
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "E-NO-TOKENS",
+                        "The event commands robots or tasks, and none can come to its place: nobody is commanded.",
+                        "Lead robots or tasks to the place, or move the event to a place where they are."),
+                new Advice(
+                        "W-NO-TOKENS",
+                        "The place can be entered with nobody in it: the event then commands nobody.",
+                        "Let an edge bring robots or tasks to the place."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

@@ -1,9 +1,11 @@
 package org.sami.spn.analysis;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
@@ -16,6 +18,14 @@ import org.sami.spn.vocabulary.EventRole;
 
 /** A transition asks for more tokens than there can be: of the robots that are listed, of the plan's tasks, of its generic tokens. */
 final class TooManyRequired implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-TOO-MANY-WANTED",
+                "There are never so many: the transition never fires.",
+                "Ask for fewer, or give the mission more robots or tasks."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (InEdge edge : plan.plan().inEdges()) {

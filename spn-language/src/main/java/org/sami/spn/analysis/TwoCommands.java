@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
@@ -21,6 +22,15 @@ import org.sami.spn.vocabulary.EventFlag;
  */
 final class TwoCommands implements PlanCheck {
     private static final String CODE = "W-TWO-COMMANDS";
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                CODE,
+                "The robot gets the second command while it carries out the first, which is broken off.",
+                "Put the second command on a place after the first, behind a transition that waits until it "
+                        + "is done."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

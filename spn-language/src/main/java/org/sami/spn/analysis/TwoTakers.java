@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedInput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
@@ -23,6 +24,14 @@ import org.sami.spn.vocabulary.EventRole;
  * looked at first takes the tokens that both require, and the other fires for nobody. Interrupts of one name are {@link InterruptNames}' business.
  */
 final class TwoTakers implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-TWO-TAKERS",
+                "The transition that is looked at first takes every answer: the other never fires.",
+                "Let the two wait for different answers or ask for different tokens, or draw one transition."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         Set<String> told = new HashSet<>();

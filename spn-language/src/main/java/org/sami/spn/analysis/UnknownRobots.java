@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Suggestions;
 import org.sami.spn.model.VariableSpec;
@@ -24,6 +25,14 @@ import org.sami.spn.value.Value;
  */
 final class UnknownRobots implements PlanCheck {
     private static final Pattern NUMBER = Pattern.compile("[ -]?[0-9]+");
+
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-UNKNOWN-ROBOT",
+                "The project has no robot of that name: the event is about nobody.",
+                "Correct the name, or add the robot to the list of the project."));
+    }
 
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {

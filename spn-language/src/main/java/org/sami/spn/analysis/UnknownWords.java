@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.edit.Edit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Suggestions;
 import org.sami.spn.value.TextValue;
@@ -13,6 +14,14 @@ import org.sami.spn.value.TextValue;
  * its instruments apart.
  */
 final class UnknownWords implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-UNKNOWN-WORD",
+                "No robot of this domain knows the word, such as a sensor that none has: nothing is measured.",
+                "Choose one of the words that the message names."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         for (KnownFields.Known known : plan.known().all()) {

@@ -1,10 +1,12 @@
 package org.sami.spn.analysis;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.edit.VariableEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.VariableSpec;
 import org.sami.spn.value.TypeCheck;
@@ -13,6 +15,14 @@ import org.sami.spn.value.ValueType;
 
 /** A variable fits every field that reads or writes it. The type of one that is not declared is that of its first write. */
 final class VariableTypes implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "E-VARIABLE-TYPE",
+                "A value of one type is written and another is expected: the event cannot read it.",
+                "Use a variable of the type of the field, or change the type of the variable."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         VariableScope scope = plan.scope();

@@ -11,11 +11,25 @@ import org.sami.spn.edit.Edit;
 import org.sami.spn.edit.EditSequence;
 import org.sami.spn.edit.FieldEdit;
 import org.sami.spn.edit.VariableEdit;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.VariableSpec;
 
 /** What a plan keeps to itself is both written and read (R-VAR-1). What it shares may be read elsewhere. */
 final class VariableUse implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(
+                new Advice(
+                        "W-VARIABLE-NEVER-WRITTEN",
+                        "The variable is read and never has a value: what reads it fails or waits.",
+                        "Let an answer write it, or give it a first value."),
+                new Advice(
+                        "W-VARIABLE-UNREAD",
+                        "The value is kept for nobody: an event that was to use it uses something else.",
+                        "Let the event read the variable that is to use it, or stop writing it."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         VariableScope scope = plan.scope();

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.sami.spn.analysis.PlanContext.PlacedOutput;
+import org.sami.spn.finding.Advice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
@@ -19,6 +20,14 @@ import org.sami.spn.vocabulary.GeographyMark;
 
 /** A way that is known before the run is no longer than one charge of a robot, where the domain says how far that is. */
 final class WaysBeyondRange implements PlanCheck {
+    @Override
+    public List<Advice> advice() {
+        return List.of(new Advice(
+                "W-BEYOND-RANGE",
+                "One charge does not last for the way: the robot stops on the water.",
+                "Make the path shorter or the lanes wider, or divide the area among several robots."));
+    }
+
     @Override
     public void check(PlanContext plan, Consumer<Finding> report) {
         plan.vocabulary().geography().ifPresent(geography -> {

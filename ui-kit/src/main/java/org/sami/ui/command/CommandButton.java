@@ -2,7 +2,9 @@ package org.sami.ui.command;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Dimension;
+import java.awt.event.HierarchyEvent;
 import java.awt.event.MouseEvent;
+import java.util.function.LongSupplier;
 import javax.swing.JButton;
 import org.sami.palette.SemanticColor;
 import org.sami.ui.look.Icons;
@@ -21,6 +23,7 @@ public final class CommandButton extends JButton {
                     + " pressedBackground: $Button.default.pressedBackground";
 
     private boolean confirms;
+    private long shownMs; // by the clock of events
 
     /** A button with icon and title. */
     public CommandButton(Command command) {
@@ -61,18 +64,28 @@ public final class CommandButton extends JButton {
     }
 
     /**
-     * A button that confirms what another one has asked, or leaves it: it takes no second click of a double click, whose first one was meant for
-     * what was under the pointer before.
+     * A button that confirms what another one has asked, or leaves it: it takes no second click of a double click, and none that was made before it was shown, as on
+     * a machine that answers late. Such a click was meant for what was under the pointer before.
      */
     public static CommandButton confirming(Command command) {
+        return confirming(command, System::currentTimeMillis);
+    }
+
+    /** The same by another clock than that of the window's events, in ms. */
+    static CommandButton confirming(Command command, LongSupplier clockMs) {
         CommandButton button = new CommandButton(command);
         button.confirms = true;
+        button.addHierarchyListener(e -> {
+            if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
+                button.shownMs = clockMs.getAsLong();
+            }
+        });
         return button;
     }
 
     @Override
     protected void processMouseEvent(MouseEvent e) {
-        if (!confirms || e.getClickCount() < 2) {
+        if (!confirms || (e.getClickCount() < 2 && e.getWhen() >= shownMs)) {
             super.processMouseEvent(e);
         }
     }

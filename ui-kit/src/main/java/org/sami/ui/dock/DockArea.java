@@ -154,11 +154,27 @@ public final class DockArea extends JPanel implements AutoCloseable {
         if (DockShape.of(layout).equals(now)) {
             return;
         }
+        Set<DockPanel> seen =
+                panels.values().stream().filter(Component::isShowing).collect(Collectors.toSet());
+        restore(layout);
+        seen.forEach(panel -> keepInFront(panel, seen));
+    }
+
+    private void restore(ApplicationLayout layout) {
         Component focused =
                 KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
         docking().getDockingState().restoreApplicationLayout(layout);
         if (focused != null) {
             EventThread.later(() -> keepFocus(focused));
+        }
+    }
+
+    /** What was in sight stays so where it lies behind a panel that was not: a decision, say, behind the missions. */
+    private static void keepInFront(DockPanel panel, Set<DockPanel> seen) {
+        boolean hidden =
+                panel.inFrontOf().filter(front -> !seen.contains(front)).isPresent();
+        if (hidden) {
+            Docking.display(panel);
         }
     }
 
@@ -366,7 +382,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
     public void reset() {
         unfold();
         fitted = Optional.of(fitting());
-        docking().getDockingState().restoreApplicationLayout(fitting().layout());
+        restore(fitting().layout());
         showFolded();
     }
 

@@ -6,6 +6,7 @@ import io.github.andrewauclair.moderndocking.ui.HeaderModel;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
 import javax.swing.JButton;
@@ -25,6 +26,8 @@ final class DockHeader extends JPanel implements DockingHeaderUI {
     private final HeaderController controller;
     private final HeaderModel model;
     private final JLabel title;
+    private final JButton more;
+    private final transient Optional<JButton> fold;
     private final boolean foldable;
 
     /**
@@ -40,7 +43,7 @@ final class DockHeader extends JPanel implements DockingHeaderUI {
         this.foldable = foldable;
         controller.setUI(this);
         title = new JLabel(name, icon, JLabel.LEADING);
-        JButton more = new JButton(Icons.small("more")) {
+        more = new JButton(Icons.small("more")) {
             @Override
             public Dimension getPreferredSize() {
                 Dimension size = super.getPreferredSize();
@@ -48,27 +51,36 @@ final class DockHeader extends JPanel implements DockingHeaderUI {
             }
         };
         more.setName(id + "-menu");
-        more.setToolTipText("Set " + name + " free, enlarge or " + (foldable ? "fold" : "close") + " it");
-        more.getAccessibleContext().setAccessibleName("Menu of " + name);
         more.putClientProperty("JButton.buttonType", "toolBarButton");
         more.addActionListener(e -> displaySettingsMenu(more));
         add(title);
-        add(foldable ? buttons(id, name, more) : more, BorderLayout.EAST);
+        fold = foldable ? Optional.of(foldButton(id)) : Optional.empty();
+        JPanel buttons = new JPanel(new BorderLayout());
+        buttons.setOpaque(false);
+        fold.ifPresent(button -> buttons.add(button, BorderLayout.WEST));
+        buttons.add(more);
+        add(buttons, BorderLayout.EAST);
+        retitle(name);
         colour();
     }
 
-    private JPanel buttons(String id, String name, JButton more) {
-        JButton fold = new JButton(Icons.small("right"));
-        fold.setName(id + "-fold");
-        fold.setToolTipText("Fold " + name + " to the edge");
-        fold.getAccessibleContext().setAccessibleName("Fold " + name + " to the edge");
-        fold.putClientProperty("JButton.buttonType", "toolBarButton");
-        fold.addActionListener(e -> controller.close());
-        JPanel both = new JPanel(new BorderLayout());
-        both.setOpaque(false);
-        both.add(fold, BorderLayout.WEST);
-        both.add(more);
-        return both;
+    /** Shows another title, of which its buttons speak as well. */
+    final void retitle(String name) {
+        title.setText(name);
+        more.setToolTipText("Set " + name + " free, enlarge or " + (foldable ? "fold" : "close") + " it");
+        more.getAccessibleContext().setAccessibleName("Menu of " + name);
+        fold.ifPresent(button -> {
+            button.setToolTipText("Fold " + name + " to the edge");
+            button.getAccessibleContext().setAccessibleName("Fold " + name + " to the edge");
+        });
+    }
+
+    private JButton foldButton(String id) {
+        JButton button = new JButton(Icons.small("right"));
+        button.setName(id + "-fold");
+        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        button.addActionListener(e -> controller.close());
+        return button;
     }
 
     private void colour() {
@@ -113,7 +125,7 @@ final class DockHeader extends JPanel implements DockingHeaderUI {
 
     @Override
     public void update() {
-        // the title of a panel never changes
+        // a panel says itself when its title changes
     }
 
     @Override

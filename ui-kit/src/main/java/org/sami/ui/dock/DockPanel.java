@@ -5,22 +5,29 @@ import io.github.andrewauclair.moderndocking.ui.DockingHeaderUI;
 import io.github.andrewauclair.moderndocking.ui.HeaderController;
 import io.github.andrewauclair.moderndocking.ui.HeaderModel;
 import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Container;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.ObjIntConsumer;
+import java.util.stream.Stream;
 import javax.swing.Icon;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
+import org.jspecify.annotations.Nullable;
 import org.sami.ui.look.Icons;
+import org.sami.ui.look.PlainTextUI;
 
 /** A panel that can be docked: a component with a stable id, under which its place is remembered. */
 public final class DockPanel extends JPanel implements Dockable {
     private final String id;
-    private final String title;
+    private String title;
     private final String icon;
     private final JComponent content;
     private Optional<JComponent> first = Optional.empty();
+    private Optional<DockHeader> header = Optional.empty();
     private boolean waiting;
     private boolean empty;
     private boolean usesRoom;
@@ -80,6 +87,16 @@ public final class DockPanel extends JPanel implements Dockable {
         return title;
     }
 
+    /** Gives it another title, which its tab and the line above it show from now on; the place and the id stay. */
+    public void retitle(String next) {
+        if (!next.equals(title)) {
+            title = next;
+            getAccessibleContext().setAccessibleName(next);
+            header.ifPresent(line -> line.retitle(next));
+            onTab((tabs, index) -> tabs.setTitleAt(index, PlainTextUI.of(next)));
+        }
+    }
+
     @Override
     public String getPersistentID() {
         return id;
@@ -100,7 +117,7 @@ public final class DockPanel extends JPanel implements Dockable {
     public void setWaiting(boolean waiting) {
         if (waiting != this.waiting) {
             this.waiting = waiting;
-            showIconOnTab();
+            onTab((tabs, index) -> tabs.setIconAt(index, getIcon()));
         }
     }
 
@@ -122,11 +139,29 @@ public final class DockPanel extends JPanel implements Dockable {
         return empty;
     }
 
-    private void showIconOnTab() {
+    /** The panel of its stack that is in front of it; empty where it is in front itself, or in no stack. */
+    Optional<DockPanel> inFrontOf() {
+        return SwingUtilities.getAncestorOfClass(JTabbedPane.class, this) instanceof JTabbedPane tabs
+                ? in(tabs.getSelectedComponent()).filter(front -> front != this)
+                : Optional.empty();
+    }
+
+    private static Optional<DockPanel> in(@Nullable Component component) {
+        if (component instanceof DockPanel panel) {
+            return Optional.of(panel);
+        }
+        return component instanceof Container container
+                ? Stream.of(container.getComponents())
+                        .flatMap(child -> in(child).stream())
+                        .findFirst()
+                : Optional.empty();
+    }
+
+    private void onTab(ObjIntConsumer<JTabbedPane> change) {
         if (SwingUtilities.getAncestorOfClass(JTabbedPane.class, this) instanceof JTabbedPane tabs) {
             for (int i = 0; i < tabs.getTabCount(); i++) {
                 if (SwingUtilities.isDescendingFrom(this, tabs.getComponentAt(i))) {
-                    tabs.setIconAt(i, getIcon());
+                    change.accept(tabs, i);
                 }
             }
         }
@@ -149,6 +184,8 @@ public final class DockPanel extends JPanel implements Dockable {
 
     @Override
     public DockingHeaderUI createHeaderUI(HeaderController controller, HeaderModel model) {
-        return new DockHeader(getPersistentID(), title(), getIcon(), isFoldable(), controller, model);
+        DockHeader line = new DockHeader(getPersistentID(), title(), getIcon(), isFoldable(), controller, model);
+        header = Optional.of(line);
+        return line;
     }
 }

@@ -43,6 +43,7 @@ final class TabWidths {
         });
         tabs.addChangeListener(change -> fit());
         tabs.addPropertyChangeListener("UI", change -> fit());
+        tabs.addPropertyChangeListener("indexForTitle", change -> fit());
         tabs.addContainerListener(new ContainerAdapter() {
             @Override
             public void componentAdded(ContainerEvent added) {

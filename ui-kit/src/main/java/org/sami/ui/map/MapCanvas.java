@@ -272,6 +272,10 @@ final class MapCanvas extends JXMapViewer {
         List<MapLayer> shown = layers.visible();
         reserve();
         message.setFree(attribution().isEmpty());
+        message.avoid(shown.stream()
+                .flatMap(layer ->
+                        layer instanceof VehicleLayer some ? some.boxes(paint.frame()).stream() : Stream.empty())
+                .toList());
         message.reserve(paint);
         paint(paint, shown, tool);
         scale.paint(paint, attribution());

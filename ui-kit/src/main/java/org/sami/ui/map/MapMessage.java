@@ -10,8 +10,8 @@ import org.sami.palette.SemanticColor;
 
 /**
  * One line to the user of the map, on a plate at its lower edge: next to the scale, where nothing that lies in the middle is hidden below it; above
- * the scale where there is no room, and broken into several lines where the map is narrow. It hides no more than a part of a low map: what has no room ends
- * in dots.
+ * the scale where there is no room, and broken into several lines where the map is narrow. Where it would lie on a vehicle there it stands at the upper edge, if that is free. It
+ * hides no more than a part of a low map: what has no room ends in dots.
  */
 final class MapMessage {
     private static final String MORE = "…";
@@ -23,10 +23,17 @@ final class MapMessage {
     private String text = "";
     private boolean problem;
     private boolean free = true;
+    private boolean above;
+    private List<Rectangle2D> vehicles = List.of();
 
     /** Whether the lower right corner is free of other text, such as a base map's attribution. */
     void setFree(boolean lowerRight) {
         free = lowerRight;
+    }
+
+    /** Where vehicles are, in pixels: it does not stand on them, where it can. */
+    void avoid(List<Rectangle2D> vehicles) {
+        this.vehicles = List.copyOf(vehicles);
     }
 
     /** Replaces the message; empty text removes it. */
@@ -72,8 +79,22 @@ final class MapMessage {
         return paint.frame().width() - 4 * Painting.px(PAD);
     }
 
-    /** Where its plate is, in pixels. */
+    /** Where its plate is, in pixels. It changes its edge only to leave a vehicle, so that it does not jump to and fro. */
     Rectangle2D plate(MapPaint paint) {
+        Rectangle2D below = lowerPlate(paint);
+        Rectangle2D upper =
+                new Rectangle2D.Double(below.getX(), Painting.px(MARGIN), below.getWidth(), below.getHeight());
+        if (hides(above ? upper : below) && !hides(above ? below : upper)) {
+            above = !above;
+        }
+        return above ? upper : below;
+    }
+
+    private boolean hides(Rectangle2D plate) {
+        return vehicles.stream().anyMatch(plate::intersects);
+    }
+
+    private Rectangle2D lowerPlate(MapPaint paint) {
         paint.font(MapPaint.PLAIN);
         double scale = MapScale.right(paint);
         paint.font(problem ? Font.BOLD : MapPaint.PLAIN);

@@ -1,5 +1,6 @@
 package org.sami.ui.map;
 
+import java.awt.geom.Rectangle2D;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -66,6 +67,16 @@ public final class VehicleLayer extends MapLayer {
         double x = frame.px(vehicle.at());
         double y = frame.py(vehicle.at());
         return x >= -px && y >= -px && x <= frame.width() + px && y <= frame.height() + px;
+    }
+
+    /** Where hulls are on a map, in pixels. */
+    List<Rectangle2D> boxes(MapFrame frame) {
+        double half = VehicleHulls.halfPx();
+        return vehicles.stream()
+                .filter(vehicle -> isNear(frame, vehicle, half))
+                .<Rectangle2D>map(vehicle -> new Rectangle2D.Double(
+                        frame.px(vehicle.at()) - half, frame.py(vehicle.at()) - half, 2 * half, 2 * half))
+                .toList();
     }
 
     @Override

@@ -38,6 +38,7 @@ public final class PlacesOnMap {
     private final List<PointLayer.MapPoint> shownPoints = new ArrayList<>();
     private final Set<String> ids = new LinkedHashSet<>();
     private final String id;
+    private final MapView map;
 
     /**
      * Adds the layers to a map, above those that it has.
@@ -56,6 +57,7 @@ public final class PlacesOnMap {
      */
     public PlacesOnMap(MapView map, String id, Function<String, IdentityMark> marks, RobotWays ways) {
         this.id = id;
+        this.map = map;
         this.marks = marks;
         this.ways = ways;
         areas = map.layers().add(new AreaLayer(id + "-areas", "Areas of " + id));
@@ -78,6 +80,15 @@ public final class PlacesOnMap {
         areas.show(List.copyOf(shownAreas));
         paths.show(List.copyOf(shownPaths));
         points.show(List.copyOf(shownPoints));
+    }
+
+    /** Whether all of it lies in the part of the world that the map shows; true where there is nothing. */
+    public boolean isInSight() {
+        return shownPoints.stream().allMatch(point -> map.frame().isShown(point.at()))
+                && shownPaths.stream().flatMap(path -> path.points().stream()).allMatch(map.frame()::isShown)
+                && shownAreas.stream()
+                        .flatMap(area -> area.area().outline().stream())
+                        .allMatch(map.frame()::isShown);
     }
 
     /** Names what is drawn, and the robots that are named, to highlight them. */

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
@@ -161,10 +162,17 @@ public final class QuestionEditor {
         }
     }
 
-    /** The values that are chosen or filled in so far, such as to show them on a map; of a single option also before it is chosen. */
+    /**
+     * The values that are chosen or filled in so far, such as to show them on a map. Of options that are compared it is the one that is looked at, and a single option also
+     * before it is chosen.
+     */
     public List<Value> values() {
         if (question instanceof Question.ChooseOption && offered.size() == 1) {
             return List.of(offered.get(0).row().value());
+        }
+        OptionalInt looked = looked();
+        if (looked.isPresent()) {
+            return List.of(offered.get(looked.getAsInt()).row().value());
         }
         return single
                 .map(List::of)
@@ -216,7 +224,31 @@ public final class QuestionEditor {
         return single.filter(ValueChooser.class::isInstance).map(ValueChooser.class::cast);
     }
 
-    /** Shows the maps of the fields whose places can be drawn ({@link #sketch}), and that of a single option, or leaves them out where a large map has them. */
+    /** The option that is looked at, from 0, of several that a map can show; empty where none are compared. */
+    public OptionalInt looked() {
+        return chooser()
+                .map(ValueChooser::looked)
+                .filter(option -> offered.size() > 1)
+                .orElse(OptionalInt.empty());
+    }
+
+    /**
+     * Looks at another of the options that are compared, which chooses none.
+     *
+     * @param step how many further on; from the last it goes on to the first
+     */
+    public void look(int step) {
+        OptionalInt looked = looked();
+        looked.ifPresent(option ->
+                chooser().ifPresent(chooser -> chooser.look(Math.floorMod(option + step, offered.size()))));
+    }
+
+    /** Calls a listener when another option is looked at ({@link #looked}). */
+    public void onLooked(Runnable listener) {
+        chooser().ifPresent(chooser -> chooser.onLooked(listener));
+    }
+
+    /** Shows the maps of the fields whose places can be drawn ({@link #sketch}), and those of options, or leaves them out where a large map has them. */
     public void useOwnMaps(boolean shown) {
         drawn().forEach(editor -> editor.useOwnMap(shown));
         chooser().ifPresent(editor -> editor.useOwnMap(shown));

@@ -1,7 +1,10 @@
 package org.sami.ui.value;
 
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 import javax.swing.ButtonGroup;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -21,6 +24,8 @@ final class SolutionChooser extends ValueChooser {
     private final ButtonGroup group = new ButtonGroup();
     private final SolutionDetails details;
     private final FieldMessage message;
+    private OptionalInt pointedAt = OptionalInt.empty();
+    private Runnable lookedAt = () -> {};
     private final JPanel panel =
             new JPanel(new MigLayout("novisualpadding, insets 0, gap 4 4, fillx, hidemode 3, wrap 1", "[grow,fill]"));
 
@@ -28,6 +33,7 @@ final class SolutionChooser extends ValueChooser {
         super(field);
         this.options = offer.values();
         this.details = details;
+        details.onShown(() -> lookedAt.run());
         message = new FieldMessage(field);
         panel.setOpaque(false);
         panel.setName(field.componentName(""));
@@ -62,9 +68,41 @@ final class SolutionChooser extends ValueChooser {
             details.show(option);
             changed();
         });
+        button.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseEntered(MouseEvent event) {
+                point(OptionalInt.of(option));
+            }
+
+            @Override
+            public void mouseExited(MouseEvent event) {
+                point(OptionalInt.empty());
+            }
+        });
         group.add(button);
         buttons.add(button);
         return button;
+    }
+
+    /** The pointer is on the button of an option, or leaves it: meanwhile a map shows that option. */
+    private void point(OptionalInt option) {
+        pointedAt = option;
+        lookedAt.run();
+    }
+
+    @Override
+    OptionalInt looked() {
+        return options.isEmpty() ? OptionalInt.empty() : OptionalInt.of(pointedAt.orElse(details.shown()));
+    }
+
+    @Override
+    void look(int option) {
+        details.show(option);
+    }
+
+    @Override
+    void onLooked(Runnable listener) {
+        lookedAt = listener;
     }
 
     @Override
@@ -136,12 +174,10 @@ final class SolutionChooser extends ValueChooser {
         group.clearSelection();
     }
 
-    /** A large map shows a single option as it is offered; of several it shows the chosen one, and the others are compared here. */
+    /** A large map shows the option that is looked at, and the small ones would say the same. */
     @Override
     public void useOwnMap(boolean shown) {
-        if (options.size() == 1) {
-            details.showPictures(shown);
-        }
+        details.showPictures(shown);
     }
 
     @Override

@@ -36,6 +36,7 @@ final class SolutionDetails {
     private final JComponent component;
     private final List<JComponent> pictures = new ArrayList<>();
     private int shown;
+    private Runnable turned = () -> {};
 
     /**
      * The details of some solutions, the first one shown.
@@ -76,6 +77,11 @@ final class SolutionDetails {
             add(i, detail(i, preview));
         }
         show(0);
+        tabs.addChangeListener(event -> {
+            if (tabs.getSelectedIndex() >= 0 && tabs.getSelectedIndex() != shown) {
+                show(tabs.getSelectedIndex());
+            }
+        });
     }
 
     private JButton button(String words, String part, int step) {
@@ -139,5 +145,16 @@ final class SolutionDetails {
             cards.show(deck, String.valueOf(option));
             position.setText("Option " + (option + 1) + " of " + options.size());
         }
+        turned.run();
+    }
+
+    /** The option whose details are shown, from 0. */
+    int shown() {
+        return shown;
+    }
+
+    /** Calls a listener when the details of an option are shown. */
+    void onShown(Runnable listener) {
+        turned = listener;
     }
 }

@@ -1,6 +1,7 @@
 package org.sami.ui.value;
 
 import java.util.List;
+import java.util.OptionalInt;
 
 /** An editor that offers values, of which some are chosen. Options are numbered from 0 here, and from 1 where people read it. */
 public abstract class ValueChooser extends ValueEditor {
@@ -29,4 +30,15 @@ public abstract class ValueChooser extends ValueEditor {
 
     /** Marks an option as chosen. */
     abstract void mark(int option);
+
+    /** The option that is looked at, from 0, where each has something that a map can show; it need not be chosen. */
+    OptionalInt looked() {
+        return OptionalInt.empty();
+    }
+
+    /** Looks at an option, which chooses none. */
+    void look(int option) {}
+
+    /** Calls a listener when another option is looked at. */
+    void onLooked(Runnable listener) {}
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.ui.geo.MapFrame;
@@ -40,8 +41,8 @@ class MapMessageTest {
     @Test
     void aLowMapIsNotHiddenBelowWhatIsSaidOnIt() {
         message.say(
-                "22 % of the area is outside the fence and will be left out · 3 boats: 1.7 km together; the longest way is anna's, 633 m,"
-                        + " about 7 min, 18 % of a full charge",
+                "22 % of the area is outside the fence and will be left out · 3 boats: 1.7 km together; the longest"
+                        + " way is anna's, 633 m, about 7 min, 18 % of a full charge",
                 false);
         MapPaint low = paint(500, 200);
 
@@ -53,6 +54,23 @@ class MapMessageTest {
                 .endsWith("…");
         MapPaint high = paint(500, 800);
         assertThat(message.lines(high, high.g().getFontMetrics())).hasSizeGreaterThan(1);
+    }
+
+    @Test
+    void itStandsAtTheUpperEdgeWhileItWouldLieOnAVehicleBelow() {
+        message.say("boat3: 135 m", false);
+        MapPaint paint = paint(900);
+        Rectangle2D below = message.plate(paint);
+
+        message.avoid(List.of(new Rectangle2D.Double(below.getCenterX(), below.getCenterY(), 20, 20)));
+        Rectangle2D above = message.plate(paint);
+        assertThat(above.getMaxY()).isLessThan(HEIGHT / 4.0);
+
+        message.avoid(List.of());
+        assertThat(message.plate(paint)).as("it does not jump back").isEqualTo(above);
+
+        message.avoid(List.of(new Rectangle2D.Double(above.getCenterX(), above.getCenterY(), 20, 20)));
+        assertThat(message.plate(paint)).isEqualTo(below);
     }
 
     @Test

@@ -7,10 +7,12 @@ import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.sami.spn.component.Interaction;
 import org.sami.spn.component.MarkupOption;
 import org.sami.spn.component.Purpose;
+import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.TypeNames;
 import org.sami.spn.value.Value;
@@ -36,12 +38,25 @@ class QuestionEditorTest {
     }
 
     @Test
-    void ofSeveralOptionsTheChosenOneIsSeen() {
+    void ofSeveralOptionsTheOneThatIsLookedAtIsSeenAndChoosesNothing() {
         QuestionEditor editor = asking(AUCTION, NEAREST);
-        assertThat(editor.values()).isEmpty();
+        AtomicInteger told = new AtomicInteger();
+        editor.onLooked(told::incrementAndGet);
+        assertThat(editor.values()).containsExactly(AUCTION);
+
+        editor.look(1);
+        assertThat(editor.values()).containsExactly(NEAREST);
+        assertThat(editor.looked()).hasValue(1);
+        assertThat(told).hasValue(1);
+        assertThat(editor.answer()).isEmpty();
+        assertThat(editor.isTouched()).isFalse();
+
+        editor.look(1);
+        assertThat(editor.values()).as("after the last comes the first").containsExactly(AUCTION);
 
         editor.choose(1);
         assertThat(editor.values()).containsExactly(NEAREST);
+        assertThat(editor.answer()).contains(new Answer.Option(1));
     }
 
     @Test
@@ -57,12 +72,13 @@ class QuestionEditorTest {
     }
 
     @Test
-    void severalOptionsAreComparedOnMapsOfTheirOwn() {
+    void severalOptionsHaveMapsOfTheirOwnOnlyWhereNoLargeOneShowsThem() {
         QuestionEditor editor = asking(AUCTION, NEAREST);
+        assertThat(previews(editor)).hasSize(2).allMatch(Component::isVisible);
 
         editor.useOwnMaps(false);
 
-        assertThat(previews(editor)).hasSize(2).allMatch(Component::isVisible);
+        assertThat(previews(editor)).noneMatch(Component::isVisible);
     }
 
     private static List<MapView> previews(QuestionEditor editor) {

@@ -1,0 +1,94 @@
+package org.sami.spn.planspace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.sami.petri.graph.GraphWatch;
+import org.sami.petri.graph.SearchBudget;
+import org.sami.petri.query.QueryAnswer.NetVerdict;
+import org.sami.spn.model.PlanQuery;
+import org.sami.spn.model.Project;
+import org.sami.spn.plannet.Abstraction;
+import org.sami.spn.plannet.PlanNet;
+import org.sami.spn.plannet.PlanNetRequest;
+import org.sami.spn.plannet.PlanNetTooLargeException;
+import org.sami.spn.testing.NetBuilder;
+import org.sami.spn.testing.TestVocabulary;
+
+/** What following sub-missions changes in answers. */
+class SubMissionQueriesTest {
+    private static final SearchBudget ENOUGH = new SearchBudget(10_000, 64L << 20, Duration.ofMinutes(5));
+
+    private static Project project(String whatTheChildWaitsFor) {
+        return NetBuilder.project(
+                new NetBuilder("p")
+                        .start("a")
+                        .output("a", "Choose")
+                        .places("run")
+                        .sub("run", "child")
+                        .end("z")
+                        .transition("t", "Chosen")
+                        .in("a", "t", "relevant all")
+                        .out("t", "run", "take all relevant")
+                        .transition("back")
+                        .in("run", "back", "proxy >= 1")
+                        .out("back", "z", "take all sub")
+                        .build(),
+                new NetBuilder("child")
+                        .start("c")
+                        .output("c", "Do")
+                        .end("e")
+                        .transition("u", "Done")
+                        .in("c", "u", whatTheChildWaitsFor)
+                        .out("u", "e", "take all proxy")
+                        .build());
+    }
+
+    private static PlanQueryAnswer answer(Project project, int depth, String query) throws PlanNetTooLargeException {
+        PlanNetRequest request = new PlanNetRequest(project, TestVocabulary.TEST, "p", List.of("A")).toDepth(depth);
+        return new PlanQueries(PlanNet.smallest(request), ENOUGH, GraphWatch.NONE)
+                .answer(new PlanQuery("q", query, PlanQuery.Expected.YES));
+    }
+
+    @Test
+    void aChildThatNeverEndsKeepsItsParentOnlyWhereItIsFollowed() throws PlanNetTooLargeException {
+        Project project = project("proxy >= 2");
+
+        assertThat(answer(project, 0, "home ended").verdict()).isEqualTo(NetVerdict.YES);
+        assertThat(answer(project, 1, "home ended").verdict()).isEqualTo(NetVerdict.NO);
+        assertThat(answer(project, 1, "reachable ended").verdict()).isEqualTo(NetVerdict.NO);
+    }
+
+    @Test
+    void aRunThroughAChildIsTakenOnTheEngine() throws PlanNetTooLargeException {
+        PlanQueryAnswer answer = answer(project("proxy >= 1"), 1, "reachable m(z.A) = 1");
+
+        assertThat(answer.words()).contains("reached by 3 firings, and the engine comes there by 2 steps");
+        assertThat(answer.witness().orElseThrow().words()).anyMatch(words -> words.startsWith("run / u"));
+        assertThat(answer.witness().orElseThrow().steps()).isPresent();
+    }
+
+    @Test
+    void plansThatRunThemselvesAndSharedSubMissionsAreLeftOpenWithTheReason() throws PlanNetTooLargeException {
+        Project project = NetBuilder.project(
+                new NetBuilder("p")
+                        .start("a")
+                        .sub("a", "p")
+                        .places("b")
+                        .shared("b", "child")
+                        .transition("t")
+                        .in("a", "t", "proxy >= 1")
+                        .out("t", "b", "take all proxy")
+                        .build(),
+                new NetBuilder("child").start("c").build());
+
+        PlanNet net = PlanNet.of(new PlanNetRequest(project, TestVocabulary.TEST, "p", List.of("A")).toDepth(2));
+
+        assertThat(net.followsSubMissions()).isFalse();
+        assertThat(net.abstractions().stream().map(Abstraction::text))
+                .anyMatch(text -> text.endsWith("its plan runs itself"))
+                .anyMatch(text -> text.endsWith("it is shared by all visits"));
+    }
+}
