@@ -16,6 +16,7 @@ public final class SettingsReport extends LinkMessage {
     private static final String STOPPED_BY = "stoppedBy";
     private static final String BOARD = "board";
     private static final String PERFORMANCE = "performance";
+    private static final String ACTION_BY = "actionBy";
 
     private final Gains heading;
     private final Gains speed;
@@ -27,6 +28,7 @@ public final class SettingsReport extends LinkMessage {
     private final Optional<BoardCondition> board;
     private final BoatPerformance performance;
     private final BoatCapabilities capabilities;
+    private final String actionBy;
 
     /** The report of an older boat, which sends neither its home nor its errors. */
     public SettingsReport(Gains heading, Gains speed, double velocityMultiplier, LostLinkAction lostLinkAction) {
@@ -83,7 +85,8 @@ public final class SettingsReport extends LinkMessage {
                 stoppedBy,
                 board,
                 BoatPerformance.UNKNOWN,
-                BoatCapabilities.UNKNOWN);
+                BoatCapabilities.UNKNOWN,
+                "");
     }
 
     private SettingsReport(
@@ -96,7 +99,8 @@ public final class SettingsReport extends LinkMessage {
             String stoppedBy,
             Optional<BoardCondition> board,
             BoatPerformance performance,
-            BoatCapabilities capabilities) {
+            BoatCapabilities capabilities,
+            String actionBy) {
         this.heading = Objects.requireNonNull(heading, "heading");
         this.speed = Objects.requireNonNull(speed, "speed");
         this.velocityMultiplier =
@@ -108,6 +112,7 @@ public final class SettingsReport extends LinkMessage {
         this.board = Objects.requireNonNull(board, BOARD);
         this.performance = Objects.requireNonNull(performance, PERFORMANCE);
         this.capabilities = Objects.requireNonNull(capabilities, "capabilities");
+        this.actionBy = Checks.text(ACTION_BY, actionBy);
     }
 
     /** The same report of a boat that says how far, how fast and how narrowly it drives. */
@@ -122,7 +127,8 @@ public final class SettingsReport extends LinkMessage {
                 stoppedBy,
                 board,
                 newPerformance,
-                capabilities);
+                capabilities,
+                actionBy);
     }
 
     /** The same report of a boat that says what it cannot do and what it measures. */
@@ -137,7 +143,28 @@ public final class SettingsReport extends LinkMessage {
                 stoppedBy,
                 board,
                 performance,
-                newCapabilities);
+                newCapabilities,
+                actionBy);
+    }
+
+    /**
+     * The same report of a boat that says which of its own settings make it do what it does without a link.
+     *
+     * @param settings in the words of the boat's maker, such as {@code FS_GCS_ENABLE 0}; empty text where it does not say it
+     */
+    public SettingsReport withActionBy(String settings) {
+        return new SettingsReport(
+                heading,
+                speed,
+                velocityMultiplier,
+                lostLinkAction,
+                home,
+                error,
+                stoppedBy,
+                board,
+                performance,
+                capabilities,
+                settings);
     }
 
     static SettingsReport read(Fields in) throws LinkException {
@@ -151,7 +178,8 @@ public final class SettingsReport extends LinkMessage {
                 in.textOrEmpty(STOPPED_BY),
                 in.has(BOARD) ? Optional.of(in.word(BOARD, BoardCondition.class)) : Optional.empty(),
                 in.has(PERFORMANCE) ? BoatPerformance.read(in.object(PERFORMANCE)) : BoatPerformance.UNKNOWN,
-                BoatCapabilities.read(in));
+                BoatCapabilities.read(in),
+                in.textOrEmpty(ACTION_BY));
     }
 
     /** Gains of a control loop. */
@@ -167,6 +195,11 @@ public final class SettingsReport extends LinkMessage {
     /** What the boat does when the link to its commander is lost. */
     public LostLinkAction lostLinkAction() {
         return lostLinkAction;
+    }
+
+    /** Which of the boat's own settings make it do that, in the words of its maker; empty text where it does not say it. */
+    public String actionBy() {
+        return actionBy;
     }
 
     /** Where the boat returns to, and how fast; a boat that tells this takes {@link SetWaysHome}. */
@@ -214,6 +247,9 @@ public final class SettingsReport extends LinkMessage {
         out.writeEndObject();
         out.writeNumberField("multiplier", velocityMultiplier);
         out.writeStringField("action", lostLinkAction.name());
+        if (!actionBy.isEmpty()) {
+            out.writeStringField(ACTION_BY, actionBy);
+        }
         if (home.isPresent()) {
             out.writeFieldName(HOME);
             WaypointRows.writeRow(out, home.get());

@@ -9,7 +9,6 @@ import org.sami.boat.link.Progress;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.onboard.OnboardState.MissionProgress;
 
@@ -63,18 +62,16 @@ final class BoatMission {
         return !listId.isEmpty() && listId.equals(id);
     }
 
-    /** Which place that is still ahead is too far away, in words; empty where none is. */
-    Optional<String> tooFar(LocalFrame here, double farthestM, Optional<Waypoint> home) {
+    /** The part that is carried out where it is started. */
+    MissionPath ahead(Optional<Waypoint> home) {
         MissionPath whole = MissionPath.of(items, 1, 1, home);
-        int size = whole.waypoints().size();
-        for (int i = isDone || next >= size ? 0 : next; i < size; i++) {
-            Waypoint at = whole.waypoints().get(i);
-            double metres = here.distanceM(at.latDeg(), at.lonDeg());
-            if (metres > farthestM) {
-                return Optional.of("item " + whole.itemOf(i) + " is " + Math.round(metres / 1000) + " km away");
-            }
-        }
-        return Optional.empty();
+        return isDone || next >= whole.waypoints().size() ? whole : whole.from(next);
+    }
+
+    /** The part that is carried out where it goes on at an item; no waypoint where none is at this item or a later one. */
+    MissionPath aheadAt(int item, Optional<Waypoint> home) {
+        MissionPath whole = MissionPath.of(items, 1, 1, home);
+        return whole.from(whole.waypointOf(item));
     }
 
     /** Why it cannot be started; empty where it is under way. */

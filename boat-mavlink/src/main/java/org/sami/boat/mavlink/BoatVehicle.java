@@ -10,7 +10,6 @@ import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.onboard.OnboardModes;
 import org.sami.mavlink.onboard.OrderReply;
@@ -22,26 +21,31 @@ import org.sami.mavlink.vehicle.VehicleId;
  * keeps its place for anybody. A mode that is chosen while it is disarmed begins when it is armed, as with ArduPilot. For the boat's thread.
  */
 final class BoatVehicle {
-    private static final double FARTHEST_M = 20_000;
-
     private final String name;
     private final BoatClient boat;
     private final CommandingStation command;
     private final StationStop stop;
     private final BoatMission mission;
     private final BoatParameters parameters;
+    private final WayCheck ways;
     private int mode = OnboardModes.HOLD; // that a station has chosen
     private boolean armed;
     private Optional<Waypoint> target = Optional.empty(); // in mode GUIDED
 
     BoatVehicle(
-            String name, BoatClient boat, CommandingStation command, BoatMission mission, BoatParameters parameters) {
+            String name,
+            BoatClient boat,
+            CommandingStation command,
+            BoatMission mission,
+            BoatParameters parameters,
+            WayCheck ways) {
         this.name = name;
         this.boat = boat;
         this.command = command;
         stop = new StationStop(boat, command);
         this.mission = mission;
         this.parameters = parameters;
+        this.ways = ways;
         boat.disarmsBy(() -> !armed);
     }
 
@@ -81,38 +85,15 @@ final class BoatVehicle {
 
     /** What is wrong with an order whoever commands; an order that cannot be carried out takes no command. */
     private Optional<String> whyWrong(StationOrder order, long nowMs) {
-        if (order instanceof StationOrder.ChangeMode change && !isMode(change.customMode())) {
+        if (order instanceof StationOrder.ChangeMode change && !BoatModes.isKnown(change.customMode())) {
             return Optional.of(name + " has no " + OnboardModes.name(change.customMode())
                     + "; it has MANUAL, HOLD, LOITER, AUTO, RTL, GUIDED");
         } else if (order instanceof StationOrder.GoTo place && !boat.commands() && !place.changesMode()) {
             return Optional.of("choose GUIDED first");
         } else if (order instanceof StationOrder.GoTo place) {
-            return here(nowMs)
-                    .map(here -> here.distanceM(place.latDeg(), place.lonDeg()))
-                    .map(metres -> metres > FARTHEST_M
-                            ? Optional.of("it is " + Math.round(metres / 1000) + " km away")
-                            : Optional.<String>empty())
-                    .orElse(Optional.of(lostWords()));
+            return ways.toPlace(new Position(place.latDeg(), place.lonDeg()), nowMs);
         }
         return Optional.empty();
-    }
-
-    /** The map about the boat; empty where it does not know where it is. */
-    private Optional<LocalFrame> here(long nowMs) {
-        return boat.telemetry(nowMs).map(at -> new LocalFrame(at.latDeg(), at.lonDeg()));
-    }
-
-    private String lostWords() {
-        return name + " does not know where it is";
-    }
-
-    private static boolean isMode(long number) {
-        return number == OnboardModes.MANUAL
-                || number == OnboardModes.HOLD
-                || number == OnboardModes.LOITER
-                || number == OnboardModes.AUTO
-                || number == OnboardModes.RETURN
-                || number == OnboardModes.GUIDED;
     }
 
     private OrderReply disarm(VehicleId station, long nowMs) {
@@ -160,13 +141,15 @@ final class BoatVehicle {
     /** Why a mode cannot begin now; looks only, so that what cannot begin ends nothing. */
     private Optional<String> whyNot(int next, long nowMs) {
         if (next == OnboardModes.RETURN) {
-            return home().isPresent() ? Optional.empty() : Optional.of("it has no home");
+            return home().isPresent() ? whyNoReturn(nowMs) : Optional.of("it has no home");
+        } else if (next == OnboardModes.MANUAL) {
+            return ways.byHand();
         } else if (next != OnboardModes.AUTO) {
             return Optional.empty();
         } else if (mission.isEmpty(home())) {
             return Optional.of("there is no mission");
         }
-        return here(nowMs).map(here -> mission.tooFar(here, FARTHEST_M, home())).orElse(Optional.of(lostWords()));
+        return ways.along(mission.ahead(home()), nowMs);
     }
 
     /** Has the boat do what the mode says. */
@@ -211,21 +194,26 @@ final class BoatVehicle {
     private OrderReply startMission(StationOrder.StartMission start, long nowMs) {
         if (!armed) {
             return OrderReply.notNow(name + " is not armed");
-        } else if (start.item() > 0 && !mission.goOnAt(start.item(), home())) {
-            return OrderReply.denied(noItem(start.item()));
         }
-        return change(OnboardModes.AUTO, nowMs);
+        OrderReply next = start.item() > 0 ? setItem(start.item(), nowMs) : OrderReply.ACCEPTED;
+        return next.isAccepted() ? change(OnboardModes.AUTO, nowMs) : next;
     }
 
     private OrderReply goOnAt(int item, long nowMs) {
-        if (!mission.goOnAt(item, home())) {
-            return OrderReply.denied(noItem(item));
-        }
-        return mission.isUnderWay() ? begin(nowMs) : OrderReply.ACCEPTED;
+        OrderReply next = setItem(item, nowMs);
+        return next.isAccepted() && mission.isUnderWay() ? begin(nowMs) : next;
     }
 
-    private static String noItem(int item) {
-        return "the mission leads nowhere at item " + item + " or after it";
+    /** A mission under way that may not go on at an item goes on as before. */
+    private OrderReply setItem(int item, long nowMs) {
+        Optional<String> cannot =
+                mission.isUnderWay() ? ways.along(mission.aheadAt(item, home()), nowMs) : Optional.empty();
+        if (cannot.isPresent()) {
+            return OrderReply.failed(cannot.get());
+        }
+        return mission.goOnAt(item, home())
+                ? OrderReply.ACCEPTED
+                : OrderReply.denied("the mission leads nowhere at item " + item + " or after it");
     }
 
     /** Sticks take no command: they are only for who has chosen MANUAL. */
@@ -240,7 +228,7 @@ final class BoatVehicle {
     /** The command was won or lost: what a station had armed and chosen before counts no longer. */
     void commandChanged(boolean commands) {
         armed = commands && boatMode() != BoatMode.STOPPED && boatMode() != BoatMode.FLEET_STOP;
-        mode = shownMode(boatMode());
+        mode = BoatModes.shown(boatMode());
         target = Optional.empty();
         mission.pause();
     }
@@ -260,19 +248,9 @@ final class BoatVehicle {
         return boat.mode();
     }
 
-    private static int shownMode(BoatMode mode) {
-        return switch (mode) {
-            case PATH -> OnboardModes.AUTO;
-            case HOLD -> OnboardModes.LOITER;
-            case TELEOPERATION -> OnboardModes.MANUAL;
-            case RETURN -> OnboardModes.RETURN;
-            case STOPPED, FLEET_STOP -> OnboardModes.HOLD;
-        };
-    }
-
     /** The number of the mode that stations are shown. */
     int mode() {
-        return boat.commands() && boatMode() != BoatMode.FLEET_STOP ? mode : shownMode(boatMode());
+        return boat.commands() && boatMode() != BoatMode.FLEET_STOP ? mode : BoatModes.shown(boatMode());
     }
 
     /** Whether the motors may turn. */
@@ -292,8 +270,30 @@ final class BoatVehicle {
         if (!stops) {
             return Optional.empty();
         }
-        mode = OnboardModes.LOITER;
-        begin(nowMs);
+        keepPlace(nowMs);
         return Optional.of("the mission is another: " + name + " keeps its place until AUTO is chosen again");
+    }
+
+    /** The boat keeps its place in place of what it drives to; whether it keeps it, as not with its motors off. */
+    boolean keepPlace(long nowMs) {
+        if (!armed || mode == OnboardModes.HOLD) {
+            return false;
+        }
+        return change(OnboardModes.LOITER, nowMs).isAccepted();
+    }
+
+    /** Another fence came; why the boat does not go on where that does not let it. */
+    Optional<String> fenceChanged(long nowMs) {
+        Optional<String> why = target.isPresent()
+                ? ways.toPlace(new Position(target.get().latDeg(), target.get().lonDeg()), nowMs)
+                : mission.isUnderWay() || mode == OnboardModes.RETURN ? whyNot(mode, nowMs) : Optional.empty();
+        return why.isPresent() && boat.commands() && keepPlace(nowMs)
+                ? Optional.of("the fence is another, and " + why.get() + ": " + name + " keeps its place")
+                : Optional.empty();
+    }
+
+    /** Why the fence does not let it return; empty where it does. */
+    Optional<String> whyNoReturn(long nowMs) {
+        return home().flatMap(at -> ways.toHome(at, nowMs));
     }
 }

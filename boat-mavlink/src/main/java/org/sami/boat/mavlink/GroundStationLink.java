@@ -114,6 +114,9 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
         private final BoatMission mission;
         private final BoatParameters parameters;
         private final BoatVehicle vehicle;
+        private final BoatFence fence = new BoatFence();
+        private final FenceGuard guard;
+        private final StationLists lists;
         private BatteryLevel level = BatteryLevel.NOMINAL;
         private String shownList = "";
 
@@ -123,7 +126,10 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
             command = new CommandingStation(boat, name, link::say, this::commandChanged, nowMs);
             mission = new BoatMission(boat);
             parameters = new BoatParameters(boat, system);
-            vehicle = new BoatVehicle(name, boat, command, mission, parameters);
+            WayCheck ways = new WayCheck(name, boat, fence);
+            vehicle = new BoatVehicle(name, boat, command, mission, parameters, ways);
+            guard = new FenceGuard(name, boat, fence, vehicle, link::say, link::fenceChanged);
+            lists = new StationLists(name, command, vehicle, fence, guard, link, clock);
         }
 
         private void commandChanged(boolean commands) {
@@ -136,6 +142,7 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
             boat.takeReadings().forEach(this::measured);
             mission.tick(nowMs);
             vehicle.watch();
+            guard.tick(nowMs);
             boat.battery().map(BatteryReport::level).filter(now -> now != level).ifPresent(this::battery);
             link.tick(nowMs);
         }
@@ -182,7 +189,8 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
                     vehicle.mode(),
                     vehicle.isArmed(),
                     boat.isLost() && vehicle.isArmed(),
-                    mission.progress());
+                    mission.progress(),
+                    fence.state());
         }
 
         @Override
@@ -211,38 +219,28 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
         }
 
         @Override
-        public Optional<Refusal> whyNoList(VehicleId station, HeldKind kind) {
-            if (kind != HeldKind.MISSION) {
-                link.say(
-                        TextSeverity.WARNING,
-                        kind == HeldKind.FENCE
-                                ? name + " keeps no fence of its own: no-go areas are its base's"
-                                : name + " keeps no rally points: it returns to its home");
-                return Optional.of(Refusal.UNSUPPORTED);
-            }
-            Optional<String> refused = command.whyNot(station, clock.getAsLong());
-            refused.ifPresent(why -> link.say(TextSeverity.WARNING, why));
-            return refused.map(why -> Refusal.DENIED);
+        public Optional<Refusal> whyNoList(VehicleId station, HeldKind kind, int items) {
+            return lists.whyNoList(station, kind, items);
         }
 
         @Override
         public Optional<Refusal> whyNot(HeldKind kind, MissionItem item) {
-            Optional<String> refused = MissionPath.whyNot(item);
-            refused.ifPresent(why -> link.say(TextSeverity.WARNING, why));
-            boolean isUnknown = refused.isPresent() && !MissionPath.isKnown(item);
-            if (refused.isPresent()) {
-                return Optional.of(isUnknown ? Refusal.UNSUPPORTED : Refusal.INVALID);
-            }
-            return MissionPath.isKnownFrame(item) ? Optional.empty() : Optional.of(Refusal.UNSUPPORTED_FRAME);
+            return lists.whyNot(kind, item);
+        }
+
+        @Override
+        public Optional<Refusal> whyNotWhole(HeldKind kind, List<MissionItem> items) {
+            return lists.whyNotWhole(kind, items);
+        }
+
+        @Override
+        public void unreadable(HeldKind kind, String why) {
+            lists.unreadable(kind, why);
         }
 
         @Override
         public void changed(HeldKind kind, List<MissionItem> items) {
-            if (kind == HeldKind.MISSION) {
-                List<MissionItem> own = MissionPath.withHome(items, vehicle.home());
-                link.hold(own);
-                vehicle.missionChanged(own, clock.getAsLong()).ifPresent(why -> link.say(TextSeverity.NOTICE, why));
-            }
+            lists.changed(kind, items);
         }
     }
 }

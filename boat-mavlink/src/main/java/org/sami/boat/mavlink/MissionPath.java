@@ -157,6 +157,13 @@ record MissionPath(List<Waypoint> waypoints, List<Integer> items, List<Double> w
         return new MissionItem(0, WAYPOINT, GLOBAL, home.latDeg(), home.lonDeg(), 0, 0, 0, 0, 0);
     }
 
+    /** The part from a waypoint on. */
+    MissionPath from(int waypoint) {
+        int size = items.size();
+        return new MissionPath(
+                waypoints.subList(waypoint, size), items.subList(waypoint, size), waitsS.subList(waypoint, size));
+    }
+
     /** The item of a waypoint; of the last one where all are reached. */
     int itemOf(int waypoint) {
         return items.isEmpty() ? 0 : items.get(Math.min(waypoint, items.size() - 1));

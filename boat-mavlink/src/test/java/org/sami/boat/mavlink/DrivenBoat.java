@@ -37,6 +37,10 @@ final class DrivenBoat {
     final CommandingStation command;
     final BoatMission mission;
     final BoatVehicle vehicle;
+    final BoatFence fence = new BoatFence();
+    final List<String> said = new ArrayList<>(); // about the fence
+    int fenceReports;
+    private final FenceGuard guard;
     long nowMs = 1_000;
 
     DrivenBoat(LostLinkAction lostLink) {
@@ -45,7 +49,10 @@ final class DrivenBoat {
         client = new BoatClient(server, nowMs);
         command = new CommandingStation(client, "anna", (severity, text) -> {}, this::commandChanged, nowMs);
         mission = new BoatMission(client);
-        vehicle = new BoatVehicle("anna", client, command, mission, new BoatParameters(client, 1));
+        vehicle = new BoatVehicle(
+                "anna", client, command, mission, new BoatParameters(client, 1), new WayCheck("anna", client, fence));
+        guard = new FenceGuard(
+                "anna", client, fence, vehicle, (severity, text) -> said.add(text), () -> fenceReports++);
         pass(200);
     }
 
@@ -65,6 +72,7 @@ final class DrivenBoat {
             client.takeProgress().forEach(progress -> mission.take(progress, nowMs));
             mission.tick(nowMs);
             vehicle.watch();
+            guard.tick(nowMs);
             hull.move(TICK_MS / 1000.0);
         }
     }
@@ -87,6 +95,11 @@ final class DrivenBoat {
 
     void mission(MissionItem... items) {
         vehicle.missionChanged(List.of(items), nowMs);
+    }
+
+    void fence(MissionItem... items) {
+        fence.replace(List.of(items));
+        guard.replaced(nowMs);
     }
 
     private final List<Base> bases = new ArrayList<>();

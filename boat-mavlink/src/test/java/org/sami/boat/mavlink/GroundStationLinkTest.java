@@ -219,7 +219,7 @@ class GroundStationLinkTest {
                             .join())
                     .hasMessageContaining("MAV_MISSION_UNSUPPORTED");
             assertThatThrownBy(() -> station.replace(
-                                    BOAT, HeldKind.FENCE, List.of(new MissionItem(0, 5003, 0, 45, 10, 0, 30, 0, 0, 0)))
+                                    BOAT, HeldKind.RALLY, List.of(new MissionItem(0, 5100, 0, 45, 10, 0, 0, 0, 0, 0)))
                             .join())
                     .hasMessageContaining("MAV_MISSION_UNSUPPORTED");
             assertThat(boat.base().mode()).isEqualTo(BoatMode.STOPPED);

@@ -27,6 +27,7 @@ import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.vehicle.StatusText;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehiclePosition;
@@ -115,8 +116,9 @@ final class AutopilotCommands {
     SettingsReport settings() {
         Gains own = new Gains(0, 0, 0);
         LostLinkAction lostLink =
-                settings.lostLink().orElse(LostLinkAction.CONTINUE); // it goes on unless it says otherwise
-        return new SettingsReport(own, own, paths.multiplier(), lostLink, motion.home(), Optional.empty(), stoppedBy);
+                settings.failsafe().lostLink().orElse(LostLinkAction.CONTINUE); // it goes on unless it says otherwise
+        return new SettingsReport(own, own, paths.multiplier(), lostLink, motion.home(), Optional.empty(), stoppedBy)
+                .withActionBy(settings.failsafe().words());
     }
 
     /** The vehicle reports itself. Whether somebody has taken it from the base just now. */
@@ -130,6 +132,11 @@ final class AutopilotCommands {
             paths.seen();
         }
         return other;
+    }
+
+    /** Whether a vehicle says so as it is given what the base has ordered. */
+    boolean causes(StatusText text) {
+        return paths.causes(text);
     }
 
     void happened(VehicleEvent event) {
@@ -219,7 +226,7 @@ final class AutopilotCommands {
             answer.accept(new Ack(command.commandId()));
             broadcast.accept(settings());
         } else if (command instanceof SetLostLinkAction set) {
-            settings.setLostLink(set.action(), ended);
+            settings.failsafe().set(set.action(), ended);
         } else {
             answer.accept(new Nack(
                     command.commandId(),

@@ -1,6 +1,7 @@
 package org.sami.crw.mavlink;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.boat.link.Ack;
@@ -26,6 +27,7 @@ import org.sami.boat.link.Teleoperate;
 import org.sami.boat.link.Traffic;
 import org.sami.boat.link.Welcome;
 import org.sami.boat.link.WithdrawKeys;
+import org.sami.crw.proxy.gateway.LinkStatus;
 import org.sami.spn.protocol.Priority;
 
 /**
@@ -93,6 +95,11 @@ final class BaseSession implements VehicleConnection.Receiver {
     /** Period of telemetry that the base asks for, in ms. */
     long telemetryPeriodMs() {
         return Math.max(1, Math.round(1000 / telemetryHz));
+    }
+
+    /** The links on which the vehicle is reached now. */
+    void linkStatuses(List<LinkStatus> now) {
+        connection.linkStatuses(now);
     }
 
     void say(LinkMessage message) {
@@ -197,6 +204,9 @@ final class BaseSession implements VehicleConnection.Receiver {
     }
 
     private void welcome(Role role) {
+        if (connection.isOver()) {
+            return; // a vehicle that has started again may not say yet which start it is
+        }
         String named = role == Role.COMMANDER ? term : "";
         say(new Welcome(boat.name(), boat.bootId(), role, named, "", true, Optional.of(newest)));
         boat.introduce();

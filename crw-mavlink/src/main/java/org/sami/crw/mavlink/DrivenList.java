@@ -36,6 +36,7 @@ final class DrivenList {
     private MissionWindow window;
     private boolean isWindowKnown; // else it is looked for in what the vehicle holds
     private int next;
+    private int seen; // the most waypoints that were known to lie behind the vehicle since it was sent along the list
     private boolean completed;
     private boolean isOpening; // of this window
 
@@ -182,6 +183,11 @@ final class DrivenList {
         return completed ? Optional.empty() : window.next(itemOf.get(next));
     }
 
+    /** How many waypoints come before an item of the whole list. */
+    int waypointsUpTo(int item) {
+        return (int) itemOf.stream().filter(each -> each < item).count();
+    }
+
     /** The number that the item of a waypoint has in the mission of the vehicle. */
     int itemOf(int waypoint) {
         return window.slot(itemOf.get(waypoint));
@@ -217,6 +223,13 @@ final class DrivenList {
     /** It drives from a waypoint on. */
     void startAt(int waypoint) {
         next = waypoint;
+        seen = waypoint;
+        completed = false;
+    }
+
+    /** It drives on as it does, and progress counts from a waypoint that it may have passed. */
+    void countFrom(int waypoint) {
+        next = waypoint;
         completed = false;
     }
 
@@ -234,9 +247,24 @@ final class DrivenList {
 
     /** The vehicle reports the item to which it goes, so the waypoints before it are done. Returns whether that is progress. */
     boolean current(int number) {
+        return advance(behind(number));
+    }
+
+    /** The waypoints that a vehicle would have passed, of which it has never said so, if it goes to an item of its mission. */
+    List<Waypoint> passedBy(int number) {
+        int behind = behind(number);
+        return waypoints().subList(Math.min(passed(), behind), behind);
+    }
+
+    /** How many waypoints are known to lie behind the vehicle, also where progress counts from an earlier one. */
+    int passed() {
+        return Math.max(next, seen);
+    }
+
+    /** How many waypoints lie behind a vehicle that goes to an item of its mission; 0 where it cannot go there by the part that it holds. */
+    private int behind(int number) {
         int item = window.item(number);
-        int behind = (int) itemOf.stream().filter(each -> each < item).count();
-        return item > 0 && item <= reach() && advance(behind);
+        return item > 0 && item <= reach() ? waypointsUpTo(item) : 0;
     }
 
     /** Whether a vehicle that goes to an item of its mission goes to a waypoint or to a later one. */
@@ -250,6 +278,7 @@ final class DrivenList {
             return false;
         }
         next = behind;
+        seen = Math.max(seen, next);
         completed = next == waypoints().size();
         return true;
     }

@@ -3,9 +3,7 @@ package org.sami.crw.mavlink;
 import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.time.Instant;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
@@ -19,8 +17,6 @@ import java.util.function.LongSupplier;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.gateway.BoatGateway;
 import org.sami.crw.proxy.gateway.GatewayLink;
-import org.sami.mavlink.address.AddressText;
-import org.sami.mavlink.base.BaseThread;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.base.MavlinkBaseOptions;
 import org.sami.mavlink.link.LinkSigning;
@@ -28,8 +24,8 @@ import org.sami.mavlink.link.SigningKey;
 import org.sami.spn.value.GeoArea;
 
 /**
- * Reaches vehicles that speak MAVLink for one base. One thread owns everything about the boats; each MAVLink address has a {@link MavlinkBase} of its own, so
- * that vehicles with one system id on two addresses are not taken for one. Safe for use by several threads.
+ * Reaches vehicles that speak MAVLink for one base. One thread owns everything about the boats, and one {@link MavlinkBase} all links: a vehicle that is heard
+ * on several is one boat. Safe for use by several threads.
  */
 public final class MavlinkGateway implements BoatGateway {
     private static final System.Logger LOG = System.getLogger(MavlinkGateway.class.getName());
@@ -38,14 +34,9 @@ public final class MavlinkGateway implements BoatGateway {
     private static final long LEAVE_MS = 1_500; // an answer, and the heartbeat after it
 
     private final LongSupplier nowMs;
-    private final VehicleFiles files;
-    private final Optional<LinkSigning> signing;
     private final ScheduledExecutorService thread;
     private final Future<?> ticks;
-    private final SeenTargets seen = new SeenTargets(); // for the thread
-    private final BaseThread bases = new BaseThread(); // of all links
-    private final Map<String, VehicleLink> links = new HashMap<>(); // by address; this and the next for the thread
-    private SessionFence fence = SessionFence.NONE;
+    private final VehicleLinks links; // this and the next for the thread
     private boolean closed;
 
     /**
@@ -57,8 +48,11 @@ public final class MavlinkGateway implements BoatGateway {
      */
     public MavlinkGateway(LongSupplier nowMs, VehicleFiles files, Optional<SigningKey> fleetKey) {
         this.nowMs = Objects.requireNonNull(nowMs, "nowMs");
-        signing = fleetKey.map(key -> new LinkSigning(key, Instant::now, LinkSigning.Unsigned.TAKEN_UNTIL_SIGNED));
-        this.files = Objects.requireNonNull(files, "files");
+        Optional<LinkSigning> signing =
+                fleetKey.map(key -> new LinkSigning(key, Instant::now, LinkSigning.Unsigned.TAKEN_UNTIL_SIGNED));
+        MavlinkBaseOptions options = new MavlinkBaseOptions(Optional.empty(), signing);
+        MavlinkBase base = new MavlinkBase(List.of(), nowMs, options);
+        links = new VehicleLinks(base, executor(), nowMs, Objects.requireNonNull(files, "files"));
         ScheduledThreadPoolExecutor executor = new ScheduledThreadPoolExecutor(1, work -> {
             Thread made = new Thread(work, "mavlink boats");
             made.setDaemon(true);
@@ -67,39 +61,29 @@ public final class MavlinkGateway implements BoatGateway {
         executor.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
         thread = executor;
         ticks = thread.scheduleWithFixedDelay(
-                () -> GuardedWork.run(() -> links.values().forEach(VehicleLink::tick)),
-                TICK_MS,
-                TICK_MS,
-                TimeUnit.MILLISECONDS);
+                () -> GuardedWork.run(links::tick), TICK_MS, TICK_MS, TimeUnit.MILLISECONDS);
     }
 
     @Override
     public GatewayLink connect(InetSocketAddress address, GatewayLink.Listener listener) {
         VehicleConnection connection = new VehicleConnection(address, listener, executor());
-        executor().execute(() -> add(address.getHostString(), connection));
+        executor().execute(() -> add(connection));
         return connection;
     }
 
     @Override
     public void keepTo(Optional<GeoArea> within, List<GeoArea> avoid, RobotKind robots) {
-        executor().execute(() -> {
-            fence = new SessionFence(FenceItems.of(within, avoid), robots == RobotKind.COPTER);
-            links.values().forEach(link -> link.keepTo(fence));
-        });
+        executor()
+                .execute(
+                        () -> links.keepTo(new SessionFence(FenceItems.of(within, avoid), robots == RobotKind.COPTER)));
     }
 
-    private void add(String host, VehicleConnection connection) {
+    private void add(VehicleConnection connection) {
         try {
-            links.computeIfAbsent(host, this::open).add(connection, nowMs.getAsLong());
+            links.add(connection, nowMs.getAsLong());
         } catch (IllegalArgumentException e) {
             connection.end(String.valueOf(e.getMessage()));
         }
-    }
-
-    private VehicleLink open(String host) {
-        MavlinkBaseOptions options = new MavlinkBaseOptions(Optional.empty(), signing);
-        MavlinkBase base = new MavlinkBase(List.of(AddressText.parse(host)), nowMs, options, bases);
-        return new VehicleLink(host, base, executor(), nowMs, files, seen, fence);
     }
 
     /** Its thread; what is thrown there is logged, and after the end nothing runs. */
@@ -126,7 +110,7 @@ public final class MavlinkGateway implements BoatGateway {
         CountDownLatch quiet = new CountDownLatch(1);
         var unused = thread.scheduleWithFixedDelay( // after what was asked before
                 () -> {
-                    if (links.values().stream().noneMatch(VehicleLink::isBusy)) {
+                    if (!links.isBusy()) {
                         quiet.countDown();
                     }
                 },
@@ -148,9 +132,7 @@ public final class MavlinkGateway implements BoatGateway {
         ticks.cancel(false);
         executor().execute(() -> {
             closed = true;
-            links.values().forEach(VehicleLink::close);
-            links.clear();
-            bases.close();
+            links.close();
         });
         thread.shutdown();
     }

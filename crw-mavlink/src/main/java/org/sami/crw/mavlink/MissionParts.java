@@ -1,5 +1,6 @@
 package org.sami.crw.mavlink;
 
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -10,8 +11,8 @@ import org.sami.mavlink.vehicle.VehicleId;
 
 /**
  * Sends the next part of a long list to the vehicle that drives along it ({@link MissionWindow}): first the items behind the gate, and once they were read back
- * equal, the item that takes the place of the gate. A part that could not be sent is tried again, which the operator hears of, and the vehicle stops at the gate at worst. For the gateway's
- * thread.
+ * equal, the item that takes the place of the gate, each at a {@link ChangeMoment moment} that costs the vehicle least. A part that could not be sent is tried
+ * again, which the operator hears of, and the vehicle stops at the gate at worst. For the gateway's thread.
  */
 final class MissionParts {
     private static final long AGAIN_MS = 1_000;
@@ -22,6 +23,8 @@ final class MissionParts {
     private final Predicate<DrivenList> isHeld;
     private final BiConsumer<DrivenList, Integer> further;
     private final Consumer<String> alarm;
+    private final ChangeMoment moment = new ChangeMoment();
+    private Optional<MissionWindow> written = Optional.empty(); // and read back, its gate still closed
     private String lastFault = "";
     private boolean sending;
     private long notBeforeMs;
@@ -48,24 +51,35 @@ final class MissionParts {
         this.alarm = alarm;
     }
 
-    /** Begins to send the next part of a list, where the vehicle has left enough of it behind. */
+    /** Begins to send the next part of a list, or to open the gate to it, where the vehicle has left enough of the list behind. To be called often. */
     void tick(DrivenList list, long atMs) {
-        if (!sending && atMs >= notBeforeMs) {
-            list.nextWindow().ifPresent(next -> {
-                sending = true;
-                notBeforeMs = atMs + AGAIN_MS;
-                list.window(next); // what lies behind the vehicle is given up before it is overwritten
-                send(list, next, next, () -> {
-                    list.opens();
-                    send(list, next, next.opened(), () -> opened(list, next));
-                });
-            });
+        if (sending || atMs < notBeforeMs) {
+            return;
         }
+        list.nextWindow()
+                .filter(next -> moment.isNow(list.waypoints(), list.next(), list.waypointsUpTo(next.gate()), atMs))
+                .ifPresent(next -> {
+                    sending = true;
+                    notBeforeMs = atMs + AGAIN_MS;
+                    if (written.filter(part -> part == next).isPresent()) {
+                        list.opens();
+                        send(list, next, next.opened(), () -> opened(list, next));
+                    } else {
+                        list.window(next); // what lies behind the vehicle is given up before it is overwritten
+                        send(list, next, next, () -> written(next));
+                    }
+                });
     }
 
     /** Whether a part is on its way; what the vehicle holds is read back at its end. */
     boolean isSending() {
         return sending;
+    }
+
+    private void written(MissionWindow next) {
+        sending = false;
+        notBeforeMs = 0;
+        written = Optional.of(next);
     }
 
     private void opened(DrivenList list, MissionWindow next) {

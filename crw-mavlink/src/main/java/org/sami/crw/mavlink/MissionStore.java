@@ -68,7 +68,7 @@ final class MissionStore {
     }
 
     /** Whether a mission is on its way to the vehicle; it is read back at the end of that. */
-    private boolean isMoving() {
+    boolean isMoving() {
         return coming.isPresent() || parts.isSending();
     }
 

@@ -14,11 +14,14 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
  * Notices that somebody else has replaced the mission that a vehicle holds: by the number of items that it reports once a second, by what it says, and by an
  * item that it has reached far from our waypoint. For the gateway's thread.
  *
- * <p>Source: ArduPilot says {@code Auto mission changed, restarted command} in AUTO where one of the next three items is another.
+ * <p>Source: ArduPilot says {@code Auto mission changed, restarted command} in AUTO where one of the next three items is
+ * another, and often where any item was written.
  */
 final class MissionWatch {
     private static final String CHANGED = "mission changed";
-    private static final double BESIDE_M = 10; // more than a current and a wide turn carry a vehicle past a waypoint
+    /** More than a current and a wide turn carry a vehicle past a waypoint, in metres. */
+    static final double BESIDE_M = 10;
+
     private static final long OLD_MS = 5_000; // a position that is older says nothing
 
     private final DoubleSupplier radiusM;

@@ -15,13 +15,15 @@ import org.sami.mavlink.mission.MissionItem;
  * items are written into slots that it has left behind, with a gate of their own behind them, and only after they were read back equal, the old gate is
  * replaced by the item that belongs there. Immutable.
  *
- * <p>Source: ArduPilot's items 17 (keep the place) and 177 (jump, -1 for without end). It begins the leg under way again only where one of the next three
- * items changes, so that slots far from the vehicle can be written while it drives.
+ * <p>Source: ArduPilot's items 17 (keep the place) and 177 (jump, -1 for without end). It goes on along its leg while slots far from the vehicle are written,
+ * but begins the leg again, from a standstill ({@link ChangeMoment}).
  */
 final class MissionWindow {
     static final int MOST_WHOLE = 602; // autopilots hold some 650 items and more
-    static final int SLOTS = 400; // sent in 8 s at the pace of an autopilot
-    static final int STEP = 100; // divides SLOTS, so that what is written never spans both ends of the ring
+    static final int SLOTS = 600; // sent in 12 s at the pace of an autopilot
+    static final int STEP =
+            300; // large, as each change is a stop on ArduPilot's boats; divides SLOTS, so that what is written never
+    // spans both ends of the ring
 
     private static final int KEPT = 10; // items behind the vehicle that are not overwritten
     private static final int NAV_LOITER_UNLIMITED = 17;

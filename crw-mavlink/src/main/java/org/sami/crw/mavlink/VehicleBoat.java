@@ -17,7 +17,10 @@ import org.sami.boat.link.Progress;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Traffic;
+import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.base.MessagePlan;
+import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -171,6 +174,7 @@ final class VehicleBoat implements BaseSession.Boat {
         BaseSession next = new BaseSession(this, connection, takenBy);
         session = Optional.of(next);
         connection.open(next);
+        LinkNews.of(name, vehicle).forEach(news -> next.say(news.weight(), news.text()));
         if (!takenBy.isEmpty()) {
             sayTaken(next, takenBy);
         }
@@ -178,6 +182,11 @@ final class VehicleBoat implements BaseSession.Boat {
 
     private void sayTaken(BaseSession to, String who) {
         to.alarm(name + " is taken by " + who + ": its missions wait until you take it back");
+    }
+
+    /** How the links are and what is asked over each: told to the base. */
+    void links(List<MavlinkLinkReport> links, Map<MavlinkAddress, MessagePlan> plans, long atMs) {
+        session.ifPresent(told -> told.linkStatuses(VehicleLinkStatuses.of(vehicle, links, plans, atMs)));
     }
 
     /** The fence that it is to hold by itself. */
@@ -228,7 +237,7 @@ final class VehicleBoat implements BaseSession.Boat {
                 told.end("its autopilot has started again");
             });
         } else if (event instanceof VehicleEvent.Said said) {
-            texts.weigh(said.text(), atMs)
+            texts.weigh(said.text(), orders.causes(said.text()), atMs)
                     .ifPresent(weight -> session.ifPresent(told -> told.say(weight, texts.words(said.text()))));
             others.said(said.text(), atMs);
             orders.happened(event);
@@ -243,6 +252,10 @@ final class VehicleBoat implements BaseSession.Boat {
         } else if (event instanceof VehicleEvent.PictureTaken picture) {
             broadcast(VehicleReports.picture(picture, Math.max(0, atMs)));
             camera.taken(picture);
+        } else if (event instanceof VehicleEvent.LinkJoined
+                || event instanceof VehicleEvent.LinkChanged
+                || event instanceof VehicleEvent.OtherVehicle) {
+            LinkNews.of(name, event).ifPresent(news -> session.ifPresent(told -> told.say(news.weight(), news.text())));
         } else if (event instanceof VehicleEvent.TargetTracked target) {
             targets.report(vehicle, target, atMs).ifPresent(this::broadcast);
         } else {

@@ -1,6 +1,7 @@
 package org.sami.crw.mavlink;
 
 import java.net.InetSocketAddress;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import org.sami.boat.link.Frame;
@@ -8,6 +9,7 @@ import org.sami.boat.link.LinkCodec;
 import org.sami.boat.link.LinkException;
 import org.sami.boat.link.LinkMessage;
 import org.sami.crw.proxy.gateway.GatewayLink;
+import org.sami.crw.proxy.gateway.LinkStatus;
 import org.sami.spn.protocol.Priority;
 
 /** The base's way to one vehicle, in memory: frames go in, and come out numbered. For the gateway's thread, but for what the base calls. */
@@ -25,6 +27,7 @@ final class VehicleConnection implements GatewayLink {
     private Optional<Receiver> receiver = Optional.empty();
     private long sent;
     private boolean over;
+    private volatile List<LinkStatus> linkStatuses = List.of();
 
     VehicleConnection(InetSocketAddress address, Listener listener, Executor thread) {
         this.address = address;
@@ -58,6 +61,16 @@ final class VehicleConnection implements GatewayLink {
         }
     }
 
+    /** The links on which the vehicle is reached now. */
+    void linkStatuses(List<LinkStatus> now) {
+        linkStatuses = List.copyOf(now);
+    }
+
+    @Override
+    public List<LinkStatus> linkStatuses() {
+        return linkStatuses;
+    }
+
     /** Says something to the operator. */
     void say(Priority priority, String text) {
         if (!over) {
@@ -77,9 +90,20 @@ final class VehicleConnection implements GatewayLink {
     public void send(byte[] frame) {
         thread.execute(() -> {
             if (!over) {
-                receiver.ifPresent(to -> read(frame).ifPresent(to::received));
+                receiver.ifPresent(to -> take(frame, to));
             }
         });
+    }
+
+    /** What cannot be taken ends the connection: the base hears why, and says hello again, instead of waiting for an answer. */
+    private void take(byte[] frame, Receiver to) {
+        try {
+            read(frame).ifPresent(to::received);
+        } catch (RuntimeException e) {
+            String vehicle = address.getHostString() + "/" + address.getPort();
+            GuardedWork.log("the base's words to " + vehicle + " could not be taken", e);
+            end("what the base said could not be taken: " + GuardedWork.words(e));
+        }
     }
 
     private static Optional<Frame> read(byte[] frame) {

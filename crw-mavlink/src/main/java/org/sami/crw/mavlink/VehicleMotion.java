@@ -96,7 +96,7 @@ class VehicleMotion {
 
     /** Whether it was heard just now, so that an order reaches it at once. */
     boolean isHeard() {
-        return nowMs - vehicle().heardMs() <= VehicleLink.HEARD_MS;
+        return nowMs - vehicle().heardMs() <= VehicleLinks.HEARD_MS;
     }
 
     /** Whether it is steered around others, or is about to be, in place of what it was ordered to do. */

@@ -3,6 +3,7 @@ package org.sami.crw.mavlink;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
@@ -18,6 +19,7 @@ import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.VehicleCommand;
+import org.sami.mavlink.vehicle.StatusText;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
@@ -31,9 +33,11 @@ final class VehiclePaths {
     private final MissionStore store;
     private final VehicleArrival arrival;
     private final MissionWatch watch;
+    private final VehicleTrail trail;
     private final Consumer<String> alarm;
     private final StalledListDetector gate = new StalledListDetector();
     private final EarlyReports early = new EarlyReports();
+    private final UnjudgedReports unjudged = new UnjudgedReports();
     private final Consumer<LinkMessage> broadcast;
     private final Runnable changed;
     private Optional<DrivenList> list;
@@ -63,6 +67,7 @@ final class VehiclePaths {
         this.changed = changed;
         this.alarm = alarm;
         watch = new MissionWatch(radiusM);
+        trail = new VehicleTrail(radiusM);
         store = new MissionStore(
                 base,
                 motion.vehicle().id(),
@@ -103,6 +108,11 @@ final class VehiclePaths {
                 list.map(DrivenList::next).orElse(0));
     }
 
+    /** Whether a vehicle says that its mission has changed as a part of it is on its way. */
+    boolean causes(StatusText text) {
+        return MissionWatch.isChange(text) && store.isMoving();
+    }
+
     void happened(VehicleEvent event) {
         if (event instanceof VehicleEvent.Said said && MissionWatch.isChange(said.text())) {
             store.doubt();
@@ -111,10 +121,30 @@ final class VehiclePaths {
             return;
         }
         if (motion.vehicle().mode().equals(VehicleMotion.AUTO)) {
-            drives(event);
+            unjudged.add(event);
+            judge();
         } else if (motion.isSettingOff()) {
             early.keep(event);
         }
+    }
+
+    private void judge() {
+        while (store.holds(list)) {
+            Optional<VehicleEvent> next =
+                    unjudged.next(this::isDoubtful, trail, motion.vehicle().heardMs());
+            if (next.isEmpty()) {
+                return;
+            }
+            drives(next.get());
+        }
+        unjudged.forget();
+    }
+
+    private boolean isDoubtful(VehicleEvent event) {
+        return event instanceof VehicleEvent.ItemCurrent current
+                ? !list.orElseThrow().passedBy(current.item()).isEmpty()
+                : event instanceof VehicleEvent.ItemReached reached
+                        && farM(list.orElseThrow(), reached).isPresent();
     }
 
     private void drives(VehicleEvent event) {
@@ -122,27 +152,46 @@ final class VehiclePaths {
         if (event instanceof VehicleEvent.ItemReached reached) {
             further = isReached(list.orElseThrow(), reached);
         } else if (event instanceof VehicleEvent.ItemCurrent current) {
-            further = list.orElseThrow().current(current.item());
+            further = isFurther(list.orElseThrow(), current);
         }
         if (further) {
+            trail.restart();
             broadcast.accept(progress());
             keepSpeed();
         }
     }
 
+    private static Optional<Waypoint> waypoint(DrivenList along, VehicleEvent.ItemReached reached) {
+        return along.waypointOf(reached.item()).map(along.waypoints()::get);
+    }
+
+    private Optional<Double> farM(DrivenList along, VehicleEvent.ItemReached reached) {
+        return waypoint(along, reached).flatMap(waypoint -> watch.tooFarM(waypoint, reached));
+    }
+
     private boolean isReached(DrivenList along, VehicleEvent.ItemReached reached) {
-        Optional<Integer> waypoint = along.waypointOf(reached.item());
-        Optional<Double> farM =
-                waypoint.flatMap(index -> watch.tooFarM(along.waypoints().get(index), reached));
+        Optional<Double> farM = farM(along, reached)
+                .filter(metres -> trail.skipped(List.of(waypoint(along, reached).orElseThrow()), reached.heardMs())
+                        .isPresent());
         if (farM.isPresent()) {
             replaced(String.format(
                     Locale.ROOT,
                     "it says that it has reached waypoint %d, and is %.0f m from it",
-                    waypoint.orElseThrow() + 1,
+                    along.waypointOf(reached.item()).orElseThrow() + 1,
                     farM.get()));
             return false;
         }
         return along.reached(reached.item());
+    }
+
+    /** Of waypoints between, its reports may be lost; but it must have been there. */
+    private boolean isFurther(DrivenList along, VehicleEvent.ItemCurrent current) {
+        OptionalInt skipped = trail.skipped(along.passedBy(current.item()), current.heardMs());
+        if (skipped.isPresent()) {
+            replaced("it has left out waypoint " + (along.passed() + skipped.getAsInt() + 1));
+            return false;
+        }
+        return along.current(current.item());
     }
 
     /** What it reports is no progress along the list any longer. */
@@ -166,10 +215,15 @@ final class VehiclePaths {
 
     /** Counts what the vehicle, as it has just reported itself, has reached, and looks whether it has come to the end of its list where an autopilot does not say so. */
     void seen() {
+        motion.vehicle().position().ifPresent(trail::add);
         if (motion.vehicle().mode().equals(VehicleMotion.AUTO) && store.holds(list)) {
-            early.take().forEach(this::drives);
-        } else if (!motion.isSettingOff()) {
-            early.forget();
+            early.take().forEach(unjudged::add);
+            judge();
+        } else {
+            unjudged.forget();
+            if (!motion.isSettingOff()) {
+                early.forget();
+            }
         }
         boolean arrived = list.filter(along ->
                         motion.flies() ? store.holds(list) && arrival.hasLanded(along) : arrival.isThere(along))
@@ -410,7 +464,12 @@ final class VehiclePaths {
                 along.lands(),
                 speedOf(isPast ? along.next() : index),
                 () -> {
-                    along.startAt(index);
+                    if (isPast) {
+                        along.countFrom(index);
+                    } else {
+                        along.startAt(index);
+                        trail.restart();
+                    }
                     early.sent();
                 },
                 () -> broadcast.accept(progress()));

@@ -16,24 +16,29 @@ final class VehicleTexts {
     private static final int MOST_KEPT = 50;
 
     private final String name;
-    private final Map<String, Long> told = new LinkedHashMap<>(); // when, oldest first
+    private final Map<String, Long> told = new LinkedHashMap<>(); // what, and when, oldest first
 
     VehicleTexts(String name) {
         this.name = name;
     }
 
-    /** The weight that a text has as a message: high from warnings on, else low; empty for one that was told just before. */
-    Optional<Priority> weigh(StatusText text, long atMs) {
-        Long before = told.get(text.text());
+    /**
+     * The weight that a text has as a message: high from warnings on, else low; empty for one that was told just before.
+     *
+     * @param isExpected it follows from an order of the base, so that it warns of nothing
+     */
+    Optional<Priority> weigh(StatusText text, boolean isExpected, long atMs) {
+        String key = isExpected + " " + text.text(); // what warns is told also after what does not
+        Long before = told.get(key);
         if (before != null && atMs - before < REPEATED_MS) {
             return Optional.empty();
         }
-        told.remove(text.text());
-        told.put(text.text(), atMs);
+        told.remove(key);
+        told.put(key, atMs);
         if (told.size() > MOST_KEPT) {
             told.remove(told.keySet().iterator().next());
         }
-        if (text.severity().compareTo(TextSeverity.WARNING) <= 0) {
+        if (!isExpected && text.severity().compareTo(TextSeverity.WARNING) <= 0) {
             return Optional.of(Priority.HIGH);
         }
         LOG.log(Level.DEBUG, "{0} says: {1}", name, text.text());

@@ -31,6 +31,8 @@ class ArduPilotCopterTest {
     private static final double RADIUS_M = 3;
     private static final double DEGREE_M = 111_319;
 
+    private static final double GROUND_M = 0.3; // as its barometer is simulated
+
     @TempDir
     private Path work;
 
@@ -42,7 +44,7 @@ class ArduPilotCopterTest {
                     new LinkClient(work.resolve("vehicles"), ArduPilotBoats.address(NUMBER) + "/" + (NUMBER + 1));
             try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
                 Telemetry start = client.last(Telemetry.class).orElseThrow();
-                assertThat(start.altM()).hasValue(0);
+                assertThat(start.altM().orElseThrow()).isBetween(-GROUND_M, GROUND_M);
                 List<Waypoint> out = List.of(off(start, 0, 20), off(start, 40, 20), off(start, 400, 25));
                 fly(client, "out", out);
                 Await.until("it has passed the second place", FLIGHT_S, () -> reached(client, "out", 2));
@@ -59,7 +61,7 @@ class ArduPilotCopterTest {
                                 && there.listId().equals("back")
                                 && there.completed()));
 
-                assertThat(now(client).altM()).hasValue(0);
+                assertThat(now(client).altM().orElseThrow()).isBetween(-GROUND_M, GROUND_M);
                 assertThat(truth.nearestM(out.get(1).latDeg(), out.get(1).lonDeg()))
                         .isLessThan(RADIUS_M);
                 assertThat(client.isObserver()).isFalse();

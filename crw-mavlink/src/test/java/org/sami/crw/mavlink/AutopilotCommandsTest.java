@@ -198,6 +198,19 @@ class AutopilotCommandsTest {
     }
 
     @Test
+    void waypointThatSomebodyElseHasItLeaveOutIsNoProgress() {
+        drive();
+        boat.mission().setCurrent(LIST.size() + 2); // behind home and two speeds: the last waypoint
+
+        client.untilAlarm("it has left out waypoint 1");
+        Await.until("it is noticed that it is taken", client::isObserver);
+        assertThat(client.last(Progress.class).map(Progress::nextIndex)).contains(0);
+        client.takeCommand();
+        assertThat(client.ask(new StartWaypoints("start again", "first", 0))).isInstanceOf(Ack.class);
+        assertThat(boat.mission().uploads()).isEqualTo(1);
+    }
+
+    @Test
     void ownMissionOfWhichTheVehicleSaysThatItChangedStaysItsOwn() {
         drive();
 

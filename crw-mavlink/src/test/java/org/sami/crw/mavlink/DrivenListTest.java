@@ -63,4 +63,22 @@ class DrivenListTest {
         list.window(list.windowFrom(0));
         assertThat(list.reached(lastPart.slot(LAST))).isFalse();
     }
+
+    @Test
+    void waypointsThatItIsKnownToHavePassedAreNotLookedForAgainWhereProgressCountsFromAnEarlierOne() {
+        int item = list.itemOf(703);
+        list.countFrom(650);
+
+        assertThat(list.passedBy(item)).isEqualTo(WAYPOINTS.subList(700, 703));
+        assertThat(list.passed()).isEqualTo(700);
+        assertThat(list.next()).isEqualTo(650);
+    }
+
+    @Test
+    void waypointsOfAListThatBeginsAnewAreLookedForAgain() {
+        int item = list.itemOf(703);
+        list.startAt(650);
+
+        assertThat(list.passedBy(item)).isEqualTo(WAYPOINTS.subList(650, 703));
+    }
 }

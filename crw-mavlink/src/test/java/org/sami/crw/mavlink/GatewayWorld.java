@@ -63,6 +63,11 @@ final class GatewayWorld implements AutoCloseable, BaseListener {
         base.connect(BoatAddress.parse(address).toSocketAddress());
     }
 
+    /** Gives up a boat. */
+    void remove(String boat) {
+        base.remove(boat).join();
+    }
+
     void keepTo(Optional<GeoArea> within, List<GeoArea> avoid) {
         base.keepTo(within, avoid, RobotKind.BOAT);
     }

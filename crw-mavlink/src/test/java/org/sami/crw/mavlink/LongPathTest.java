@@ -39,6 +39,10 @@ class LongPathTest {
     /** Longer than a vehicle holds, so that it is sent in parts, and driven in half the time. */
     private static final List<Waypoint> HALF = PATH.subList(0, LOCATIONS / 2);
 
+    private static final int ROW = 110;
+    private static final int BEFORE_ITS_FIRST = 2; // items: home, and the speed
+    private static final int NEAR_TURN = 20; // it drives on for the time of a tick and of a transfer
+
     @TempDir
     private Path folder;
 
@@ -122,6 +126,33 @@ class LongPathTest {
         assertThat(boat.mission().stops()).isLessThan(quiet ? 1 : 100);
         assertThat(boat.mission().uploads()).isEqualTo(1);
         assertThat(boat.armings()).isEqualTo(1);
+        assertThat(boat.restarts()).as("changes of its mission under way").hasSizeLessThan(60);
+    }
+
+    /** Rows of 110 waypoints, so that it comes to a turn well before its part ends. */
+    @Test
+    void partsAreSentAtTurnsWhereItIsSlowInAnyCase() {
+        List<Waypoint> rows = IntStream.range(0, LOCATIONS / 2)
+                .mapToObj(i -> new Waypoint(
+                        45.7 + (i / ROW % 2 == 0 ? i % ROW : ROW - 1 - i % ROW) * 1e-4,
+                        10.72 + Math.floorDiv(i, ROW) * 2e-4,
+                        1))
+                .toList();
+        assertThat(client.ask(new UploadWaypoints("upload", "rows", rows))).isInstanceOf(Ack.class);
+        assertThat(client.ask(new ReadBack("read"))).isInstanceOf(HeldWaypoints.class);
+        assertThat(client.ask(new StartWaypoints("start", "rows", 0))).isInstanceOf(Ack.class);
+        Await.until(
+                "it is at the end",
+                WAIT_S,
+                () -> client.last(Progress.class).filter(Progress::completed).isPresent());
+
+        assertThat(boat.mission().visited()).isEqualTo(places(rows));
+        // its time runs 150 times as fast as that in which parts are sent: on a busy machine some come late
+        List<Integer> changed = boat.restarts().stream().distinct().toList();
+        List<Integer> afterATurn = changed.stream()
+                .filter(item -> (item % MissionWindow.SLOTS - BEFORE_ITS_FIRST) % ROW < NEAR_TURN)
+                .toList();
+        assertThat(afterATurn).as("of %s", changed).hasSizeGreaterThanOrEqualTo((changed.size() + 1) / 2);
     }
 
     @Test
@@ -130,11 +161,14 @@ class LongPathTest {
         untilPassed(20);
         boat.reports().silent(true);
         Await.untilStill("it waits", 3, () -> boat.mission().visited().size());
-        assertThat(boat.mission().visited()).hasSizeBetween(390, 600);
+        assertThat(boat.mission().visited()).hasSizeBetween(590, 900);
 
         boat.reports().silent(false);
 
         arrives();
+        assertThat(client.said("mav5 says: Auto mission changed", Priority.HIGH))
+                .isEmpty();
+        assertThat(client.said("mav5 says: Auto mission changed", Priority.LOW)).isNotEmpty();
         assertThat(boat.mission().stops()).isPositive();
     }
 

@@ -116,23 +116,23 @@ class MissionWindowTest {
     @Test
     void partThatABaseHadBegunToSendIsFoundWithItsGate() {
         List<MissionItem> all = list(LONG);
-        MissionWindow next = MissionWindow.of(all, 1).next(200).orElseThrow();
+        MissionWindow next = MissionWindow.of(all, 1).next(350).orElseThrow();
         List<MissionItem> half = new ArrayList<>(MissionWindow.of(all, 1).items());
         IntStream.range(1, 40).forEach(slot -> half.set(slot, next.items().get(slot)));
 
         MissionWindow found = MissionWindow.found(all, half, 0).orElseThrow();
 
-        assertThat(found.gate()).isEqualTo(400);
+        assertThat(found.gate()).isEqualTo(MissionWindow.SLOTS);
         assertThat(found.isComplete()).isFalse();
-        assertThat(found.next(200)).contains(found);
+        assertThat(found.next(350)).contains(found);
     }
 
     @Test
     void hintTellsTwoLapsApart() {
-        List<MissionItem> all = new ArrayList<>(list(LONG));
+        List<MissionItem> all = new ArrayList<>(list(2 * LONG));
         int lap = 2 * MissionWindow.SLOTS;
         IntStream.range(1, lap + 1).forEach(i -> all.set(i + lap, all.get(i).at(i + lap)));
-        MissionWindow second = MissionWindow.of(all, 1_101);
+        MissionWindow second = MissionWindow.of(all, 1_501);
 
         assertThat(MissionWindow.found(all, second.items(), second.to())
                         .orElseThrow()

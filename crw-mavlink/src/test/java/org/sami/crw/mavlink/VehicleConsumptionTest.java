@@ -34,8 +34,8 @@ class VehicleConsumptionTest {
     }
 
     private VehicleSnapshot snapshot() {
-        VehiclePosition at =
-                new VehiclePosition(PLANE.latDeg(0, northM), PLANE.lonDeg(0, northM), 0, 1, Optional.empty(), nowMs);
+        VehiclePosition at = new VehiclePosition(
+                PLANE.latDeg(0, northM), PLANE.lonDeg(0, northM), 0, 1, Optional.empty(), nowMs, nowMs);
         return new VehicleSnapshot(
                 new VehicleId(7, 1),
                 VehicleKind.BOAT,
@@ -49,6 +49,8 @@ class VehicleConsumptionTest {
                 new VehicleHealth(true, false, false, List.of()),
                 Optional.empty(),
                 Optional.empty(),
+                List.of(),
+                List.of(),
                 List.of(),
                 List.of(),
                 nowMs);

@@ -45,7 +45,7 @@ class VehicleGivingWayTest {
         private double northM;
         private double headingRad;
         private double speedMps;
-        private VehiclePosition said = new VehiclePosition(0, 0, 0, 0, Optional.empty(), 0);
+        private VehiclePosition said = new VehiclePosition(0, 0, 0, 0, Optional.empty(), 0, 0);
         private boolean gaveWay;
         private double farthestEastM = -Double.MAX_VALUE;
 
@@ -66,6 +66,7 @@ class VehicleGivingWayTest {
                     0,
                     Math.abs(speedMps),
                     Optional.of(Math.toDegrees(headingRad)),
+                    nowMs,
                     nowMs);
         }
 
@@ -193,7 +194,7 @@ class VehicleGivingWayTest {
         VehicleGivingWay rule = new VehicleGivingWay("mav1");
 
         CourseAndSpeed chosen = rule.choose(
-                new VehiclePosition(45.7, 10.72, 0, MPS, Optional.of(90.0), 0),
+                new VehiclePosition(45.7, 10.72, 0, MPS, Optional.of(90.0), 0, 0),
                 new VehicleTarget("list", 0, new Waypoint(45.71, 10.72, MPS), MPS, false),
                 0);
 

@@ -29,7 +29,7 @@ class VehicleStationTest {
 
     private static VehiclePosition position(double eastM, double northM) {
         return new VehiclePosition(
-                PLANE.latDeg(eastM, northM), PLANE.lonDeg(eastM, northM), 0, 0, Optional.of(0.0), 1_000);
+                PLANE.latDeg(eastM, northM), PLANE.lonDeg(eastM, northM), 0, 0, Optional.of(0.0), 1_000, 1_000);
     }
 
     /** Another boat drives north, to a place. */
@@ -74,7 +74,7 @@ class VehicleStationTest {
 
         LocalFrame there = new LocalFrame(room.latDeg(), room.lonDeg());
         VehiclePosition aside =
-                new VehiclePosition(there.originLatDeg(), there.originLonDeg(), 0, 0, Optional.of(0.0), nowMs);
+                new VehiclePosition(there.originLatDeg(), there.originLonDeg(), 0, 0, Optional.of(0.0), nowMs, nowMs);
         other(3, 90, 1.5, 3, 200);
         assertThat(next(aside)).isEmpty();
         nowMs += 16_000;

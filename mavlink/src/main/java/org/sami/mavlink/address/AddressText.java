@@ -49,6 +49,11 @@ public final class AddressText {
         try {
             return Integer.parseInt(digits);
         } catch (NumberFormatException e) {
+            if (digits.matches("[0-9]+/[0-9-]+")) {
+                throw new IllegalArgumentException(
+                        "what stands after the / names vehicles, and here a link is asked for, with all that are on it",
+                        e);
+            }
             throw new IllegalArgumentException(
                     digits.isEmpty() ? "the " + what + " is missing" : "the " + what + " is no whole number: " + digits,
                     e);

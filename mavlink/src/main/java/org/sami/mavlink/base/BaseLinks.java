@@ -4,13 +4,16 @@ import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.Semaphore;
 import java.util.function.BiConsumer;
-import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.link.LinkEnd;
 import org.sami.mavlink.link.LinkSigning;
@@ -20,12 +23,14 @@ import org.sami.mavlink.link.ReceivedMessage;
 
 /** The links of a base: receives on all of them, sends on one. Safe for use by several threads. */
 final class BaseLinks implements AutoCloseable {
+    private static final int LINK_IDS = 256; // of signatures
     private static final int UNHANDLED = 2_000; // messages that may wait; a link that brings more waits itself
 
     private final Executor owner;
     private final BiConsumer<MavlinkAddress, ReceivedMessage> handle;
     private final Semaphore room = new Semaphore(UNHANDLED);
-    private final List<MavlinkLink> links;
+    private final List<MavlinkLink> links = new CopyOnWriteArrayList<>();
+    private final Optional<LinkSigning> signing;
 
     /**
      * Links that are not open yet.
@@ -41,11 +46,34 @@ final class BaseLinks implements AutoCloseable {
             BiConsumer<MavlinkAddress, ReceivedMessage> handle) {
         this.owner = owner;
         this.handle = handle;
-        List<MavlinkAddress> each = addresses.stream().distinct().toList();
-        links = IntStream.range(0, each.size())
-                .mapToObj(i -> new MavlinkLink(
-                        each.get(i), this::received, LinkEnd.ground(i, signing), ReadMessages.KINDS::contains))
-                .toList();
+        this.signing = signing;
+        addresses.forEach(this::add);
+    }
+
+    private Optional<MavlinkLink> add(MavlinkAddress address) {
+        if (addresses().contains(address)) {
+            return Optional.empty();
+        }
+        LinkEnd end = LinkEnd.ground(links.size() % LINK_IDS, signing);
+        MavlinkLink link = new MavlinkLink(address, this::received, end, ReadMessages.KINDS::contains);
+        links.add(link);
+        return Optional.of(link);
+    }
+
+    /** Begins to open one more, if its address is another than theirs. For one thread at a time. */
+    void open(MavlinkAddress address) {
+        add(address).ifPresent(MavlinkLink::start);
+    }
+
+    /** How strong the signal of each radio is at its weaker end. */
+    Map<MavlinkAddress, Integer> strengths() {
+        Map<MavlinkAddress, Integer> strengths = new HashMap<>();
+        for (MavlinkLinkReport report : reports()) {
+            Stream.of(report.rssi(), report.remoteRssi())
+                    .flatMap(Optional::stream)
+                    .forEach(one -> strengths.merge(report.address(), one, Math::min));
+        }
+        return strengths;
     }
 
     /** Begins to open them; returns at once. */

@@ -1,6 +1,5 @@
 package org.sami.mavlink.base;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -15,6 +14,7 @@ import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.sami.mavlink.address.MavlinkAddress;
+import org.sami.mavlink.command.CommandMessages;
 import org.sami.mavlink.command.CommandOutcome;
 import org.sami.mavlink.command.GuidedCourse;
 import org.sami.mavlink.command.GuidedTarget;
@@ -32,8 +32,8 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
 import org.sami.mavlink.vehicle.VehicleTable;
 
 /**
- * A ground station's end of MAVLink: keeps links open, says on each once a second that it is there, and knows the vehicles that it hears. It asks vehicles to
- * report, reads what they hold, and gives them the commands that it is given. One thread owns its state; any thread may call it.
+ * A ground station's end of MAVLink: keeps links open, says on each once a second that it is there, and knows the vehicles that it hears, each on one link or on
+ * several. It asks vehicles to report, reads what they hold, and gives them the commands that it is given. One thread owns its state; any thread may call it.
  */
 public final class MavlinkBase implements AutoCloseable {
     private static final long HEARTBEAT_TICKS = 10; // a second
@@ -49,6 +49,7 @@ public final class MavlinkBase implements AutoCloseable {
     private long ticks;
     private final VehicleTable table = new VehicleTable();
     private final MessageAsking asking;
+    private final LinkRecognition recognition;
     private final VehicleRequests requests;
     private final List<Consumer<VehicleEvent>> listeners = new CopyOnWriteArrayList<>();
 
@@ -86,8 +87,15 @@ public final class MavlinkBase implements AutoCloseable {
         asking = new MessageAsking(table, options.signing().isPresent());
         requests = new VehicleRequests(table, options, nowMs, thread, this::send);
         links = new BaseLinks(addresses, options.signing(), owner, this::handle);
+        recognition = new LinkRecognition(
+                table, (vehicle, link, command) -> links.send(link, CommandMessages.of(vehicle, command, 0)));
         links.start();
         thread.begin(everyTick);
+    }
+
+    /** Opens one more link, if its address is another than those that are open; returns at once. For one thread at a time. */
+    public void open(MavlinkAddress address) {
+        links.open(address);
     }
 
     /** What is known of each link, in the order of the addresses. */
@@ -167,13 +175,7 @@ public final class MavlinkBase implements AutoCloseable {
 
     /** What the vehicles on each link are asked to send, and what it costs. */
     public CompletableFuture<Map<MavlinkAddress, MessagePlan>> plans() {
-        return CompletableFuture.supplyAsync(
-                () -> {
-                    Map<MavlinkAddress, MessagePlan> plans = new LinkedHashMap<>();
-                    links.addresses().forEach(link -> plans.put(link, asking.plan(link)));
-                    return plans;
-                },
-                owner);
+        return CompletableFuture.supplyAsync(() -> asking.plans(links.addresses()), owner);
     }
 
     /**
@@ -246,20 +248,24 @@ public final class MavlinkBase implements AutoCloseable {
             }
         }
         boolean signed = message.signed(); // with the right key, or the link had refused it
-        requests.take(id, message.payload(), signed, events, now);
+        if (!table.isForeign(id, from)) {
+            requests.take(id, message.payload(), signed, events, now);
+        }
         events.forEach(event -> listeners.forEach(listener -> listener.accept(event)));
     }
 
     private void tick() {
         if (ticks++ % HEARTBEAT_TICKS == 0) {
             links.sendHeartbeat();
+            table.strengths(links.strengths());
         }
         long now = nowMs.getAsLong();
         requests.tick(now);
         asking.tick(now, requests::messages);
+        recognition.tick(now);
     }
 
-    /** Sends on the link on which a vehicle was heard last. */
+    /** Sends on the link that is chosen for a vehicle. */
     private void send(VehicleId vehicle, Object message) {
         table.linkOf(vehicle).ifPresent(address -> links.send(address, message));
     }

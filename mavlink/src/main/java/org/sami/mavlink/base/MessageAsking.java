@@ -1,6 +1,7 @@
 package org.sami.mavlink.base;
 
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -49,6 +50,13 @@ final class MessageAsking {
             plans.put(link, known);
         }
         return known;
+    }
+
+    /** The plan of each link, in the order given. */
+    Map<MavlinkAddress, MessagePlan> plans(List<MavlinkAddress> links) {
+        Map<MavlinkAddress, MessagePlan> plans = new LinkedHashMap<>();
+        links.forEach(link -> plans.put(link, plan(link)));
+        return plans;
     }
 
     /** Sends the requests of the present plan to the vehicles that have not had them. */

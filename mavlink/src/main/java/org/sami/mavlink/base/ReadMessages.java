@@ -4,6 +4,7 @@ import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
 import io.dronefleet.mavlink.ardupilotmega.WaterDepth;
+import io.dronefleet.mavlink.common.AutopilotVersion;
 import io.dronefleet.mavlink.common.CameraTrackingGeoStatus;
 import io.dronefleet.mavlink.common.CommandAck;
 import io.dronefleet.mavlink.common.DistanceSensor;
@@ -29,6 +30,7 @@ import java.util.Set;
 final class ReadMessages {
     @SuppressWarnings("deprecation") // ArduPilot asks for items with MissionRequest
     static final Set<Class<?>> KINDS = Set.of(
+            AutopilotVersion.class,
             Heartbeat.class,
             GlobalPositionInt.class,
             SysStatus.class,

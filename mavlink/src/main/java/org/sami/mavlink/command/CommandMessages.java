@@ -9,13 +9,13 @@ import java.util.List;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /** Commands as messages. */
-final class CommandMessages {
+public final class CommandMessages {
     private static final double TO_WHOLE = 1e7; // degrees of a position's whole numbers
 
     private CommandMessages() {}
 
-    /** A command as it is sent; {@code again} is how often it was sent before. */
-    static Object of(VehicleId vehicle, VehicleCommand command, int again) {
+    /** A command as a message of the library; {@code again} is how often it was sent before. */
+    public static Object of(VehicleId vehicle, VehicleCommand command, int again) {
         EnumValue<MavCmd> number = EnumValue.create(MavCmd.class, command.number());
         List<Double> params = command.params();
         return command.place()

@@ -19,7 +19,8 @@ import org.sami.mavlink.vehicle.VehicleId;
  * That it ended well says only that the vehicle took the last item; what it holds is read back ({@link ListReplacement}).
  *
  * <p>Source: the mission protocol of MAVLink's documentation. Differs from it: where the vehicle's next question is overdue, the items that it must want next
- * are sent without one. Autopilots ask again only after a second, and ignore items that they did not expect.
+ * are sent without one. Autopilots ask again only after a second, and ignore items that they did not expect. Of a part, up to {@link #AHEAD} items are sent
+ * before they are asked for, until one is lost: an autopilot that drives along the list begins its leg again with each of its rounds in which an item comes.
  */
 final class ListUpload extends AbstractListTransfer {
     private static final int TRIES = 8; // to say how many there are
@@ -27,6 +28,8 @@ final class ListUpload extends AbstractListTransfer {
     private static final int ROUNDS = 4;
     private static final long SILENCE_MS = 10_000; // the vehicle gives up after 8 s itself
     private static final int MOST_PUSHED = 6;
+    private static final int AHEAD = 60; // 3 kB, which fit into the buffer of a port
+    private static final long HASTE_WAIT_MS = 500; // what it wants is on its way already
     private static final double NEW_PART = 0.1;
     private static final double LITTLE_LOST = 0.02;
     private static final double MUCH_LOST = 0.1;
@@ -39,6 +42,7 @@ final class ListUpload extends AbstractListTransfer {
     private final Consumer<Object> send;
     private final AnswerTime time = new AnswerTime();
     private int rounds;
+    private boolean hastens; // sends before it is asked
     private Optional<String> notReady = Optional.empty();
     private double lost; // the part of the items, lately, that had to be sent again
     private int tries;
@@ -67,6 +71,7 @@ final class ListUpload extends AbstractListTransfer {
     @Override
     public void begin(long nowMs) {
         rounds++;
+        hastens = rounds == 1 && !isWhole();
         tries = 0;
         asked = from - 1;
         sent = from - 1;
@@ -116,7 +121,8 @@ final class ListUpload extends AbstractListTransfer {
             return;
         }
         boolean began = asked >= from;
-        if (nowMs < sentMs + time.waitMs(began ? tries : tries - 1)) {
+        long waitMs = time.waitMs(began ? tries : tries - 1);
+        if (nowMs < sentMs + (began && hastens ? Math.max(HASTE_WAIT_MS, waitMs) : waitMs)) {
             return;
         }
         if (!began) {
@@ -132,6 +138,7 @@ final class ListUpload extends AbstractListTransfer {
             again("it asked for " + (asked - from + 1) + " of " + (to - from) + " items, and for no more", nowMs);
         } else {
             lost += tries == 0 ? NEW_PART * (1 - lost) : 0;
+            hastens = false;
             sendFrom(asked, Math.min(MOST_PUSHED, 1 + tries));
             tries++;
             sentMs = nowMs;
@@ -170,10 +177,16 @@ final class ListUpload extends AbstractListTransfer {
         } else if (item < asked && tries == 0) {
             return; // late, or doubled; it waits for a later one
         }
+        hastens &= item > asked;
         asked = item; // lower, where the announcement came twice and it began again
         tries = 0;
         sentMs = nowMs;
-        sendFrom(item, ahead());
+        if (hastens) {
+            int first = Math.max(item, sent + 1);
+            sendFrom(first, item + AHEAD - first);
+        } else {
+            sendFrom(item, ahead());
+        }
     }
 
     private void acknowledged(EnumValue<MavMissionResult> result, long nowMs) {
@@ -185,6 +198,7 @@ final class ListUpload extends AbstractListTransfer {
             }
         } else if (what == MavMissionResult.MAV_MISSION_INVALID_SEQUENCE) {
             progressMs = nowMs; // it did not expect this item, and waits for another
+            hastens = false;
         } else if (what == MavMissionResult.MAV_MISSION_ERROR && allSent) {
             succeed(); // the last item came to it twice: it had ended; reading back finds out
         } else if (what == MavMissionResult.MAV_MISSION_OPERATION_CANCELLED

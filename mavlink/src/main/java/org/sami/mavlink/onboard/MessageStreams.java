@@ -17,6 +17,7 @@ final class MessageStreams {
     static final int MISSION = 42;
     static final int HUD = 74;
     static final int BATTERY = 147;
+    static final int FENCE = 162;
     static final int FILTER = 193;
     static final int HOME = 242;
 
@@ -26,7 +27,7 @@ final class MessageStreams {
     private static final Map<Integer, Long> USUAL = usual();
     /** The groups of the older way to ask, REQUEST_DATA_STREAM. */
     private static final Map<Integer, List<Integer>> GROUPS = Map.of(
-            2, List.of(STATUS, GPS, MISSION, BATTERY),
+            2, List.of(STATUS, GPS, MISSION, BATTERY, FENCE),
             6, List.of(POSITION),
             10, List.of(ATTITUDE),
             11, List.of(HUD),
@@ -44,6 +45,7 @@ final class MessageStreams {
         usual.put(STATUS, SECOND_MS);
         usual.put(GPS, SECOND_MS);
         usual.put(MISSION, SECOND_MS);
+        usual.put(FENCE, SECOND_MS);
         usual.put(FILTER, SECOND_MS);
         usual.put(BATTERY, 2 * SECOND_MS);
         usual.put(HOME, 10 * SECOND_MS);

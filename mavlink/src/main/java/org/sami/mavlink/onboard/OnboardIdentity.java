@@ -29,9 +29,18 @@ final class OnboardIdentity {
 
     /** Its parts are those of which a boat's server knows whether they work. */
     static Object status(OnboardState state) {
-        List<Enum> working = new ArrayList<>(List.of(
-                MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS,
-                MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE)); // none that is breached: MAVProxy would say that it is
+        List<Enum> present = new ArrayList<>(PARTS);
+        List<Enum> enabled = new ArrayList<>(PARTS);
+        List<Enum> working = new ArrayList<>(List.of(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS));
+        if (state.fence().isHeld()) {
+            present.add(MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE);
+        }
+        if (state.fence().isInForce()) {
+            enabled.add(MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE);
+        }
+        if (!state.fence().isBreached()) { // also without a fence: MAVProxy would say that it is breached
+            working.add(MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE);
+        }
         if (state.place().isPresent()) {
             working.add(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_3D_MAG);
             working.add(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_GPS);
@@ -41,8 +50,8 @@ final class OnboardIdentity {
             working.add(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY);
         }
         return SysStatus.builder()
-                .onboardControlSensorsPresent(PARTS)
-                .onboardControlSensorsEnabled(PARTS)
+                .onboardControlSensorsPresent(present)
+                .onboardControlSensorsEnabled(enabled)
                 .onboardControlSensorsHealth(working)
                 .voltageBattery(UNKNOWN)
                 .currentBattery(-1)
@@ -55,6 +64,7 @@ final class OnboardIdentity {
         return AutopilotVersion.builder()
                 .capabilities(
                         MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_MISSION_INT,
+                        MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_MISSION_FENCE,
                         MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_COMMAND_INT,
                         MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT,
                         MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT,

@@ -103,6 +103,11 @@ public final class OnboardLink implements AutoCloseable {
         vehicle.reached(item);
     }
 
+    /** The boat left its fence, came back or has another: stations hear it at once. */
+    public void fenceChanged() {
+        vehicle.fenceChanged();
+    }
+
     /** Something is measured; of its name the first ten characters are sent. */
     public void measured(String what, double value) {
         vehicle.measured(what, value);

@@ -125,7 +125,7 @@ public final class OnboardLists {
 
     private void begin(VehicleId station, EnumValue<MavMissionType> type, int from, int to, boolean part, long nowMs) {
         Optional<HeldKind> kind = HeldKind.of(type);
-        Optional<ListKeeper.Refusal> whyNot = kind.flatMap(known -> keeper.whyNoList(station, known));
+        Optional<ListKeeper.Refusal> whyNot = kind.flatMap(known -> keeper.whyNoList(station, known, to));
         if (kind.isEmpty()) {
             acknowledge(station, type, MavMissionResult.MAV_MISSION_UNSUPPORTED);
         } else if (arriving.filter(other -> !other.station.equals(station)).isPresent()) {
@@ -172,7 +172,9 @@ public final class OnboardLists {
         list.askMs = nowMs + paceMs;
         if (list.next == list.to) {
             arriving = Optional.empty();
-            Optional<ListKeeper.Refusal> whyNot = keeper.whyNoList(station, list.kind); // it may be another's by now
+            Optional<ListKeeper.Refusal> whyNot = keeper.whyNoList(
+                            station, list.kind, list.items.size()) // it may be another's by now
+                    .or(() -> keeper.whyNotWhole(list.kind, list.items));
             if (whyNot.isEmpty()) {
                 change(list.kind, list.items);
             }
@@ -189,6 +191,7 @@ public final class OnboardLists {
         try {
             item = MissionItem.of(message);
         } catch (IllegalArgumentException e) {
+            keeper.unreadable(list.kind, Objects.toString(e.getMessage()));
             return Optional.of(MavMissionResult.MAV_MISSION_INVALID_PARAM5_X);
         }
         Optional<ListKeeper.Refusal> why = keeper.whyNot(list.kind, item);
@@ -206,6 +209,7 @@ public final class OnboardLists {
         return switch (refused) {
             case UNSUPPORTED -> MavMissionResult.MAV_MISSION_UNSUPPORTED;
             case UNSUPPORTED_FRAME -> MavMissionResult.MAV_MISSION_UNSUPPORTED_FRAME;
+            case NO_SPACE -> MavMissionResult.MAV_MISSION_NO_SPACE;
             case INVALID -> MavMissionResult.MAV_MISSION_INVALID;
             case DENIED -> MavMissionResult.MAV_MISSION_DENIED;
         };
@@ -221,7 +225,7 @@ public final class OnboardLists {
                 .filter(kind -> !held(kind).isEmpty())
                 .toList();
         Optional<ListKeeper.Refusal> refused = full.stream()
-                .flatMap(kind -> keeper.whyNoList(station, kind).stream())
+                .flatMap(kind -> keeper.whyNoList(station, kind, 0).stream())
                 .findFirst();
         if (refused.isEmpty()) {
             full.forEach(kind -> change(kind, List.of()));

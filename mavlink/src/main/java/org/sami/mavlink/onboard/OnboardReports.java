@@ -4,6 +4,9 @@ import io.dronefleet.mavlink.ardupilotmega.EkfStatusFlags;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.common.Attitude;
 import io.dronefleet.mavlink.common.BatteryStatus;
+import io.dronefleet.mavlink.common.FenceBreach;
+import io.dronefleet.mavlink.common.FenceMitigate;
+import io.dronefleet.mavlink.common.FenceStatus;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.GpsFixType;
 import io.dronefleet.mavlink.common.GpsRawInt;
@@ -23,6 +26,7 @@ import java.math.BigInteger;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import org.sami.mavlink.onboard.OnboardState.FenceState;
 import org.sami.mavlink.onboard.OnboardState.MissionProgress;
 import org.sami.mavlink.onboard.OnboardState.Place;
 
@@ -163,6 +167,21 @@ final class OnboardReports {
                 .missionState(phase)
                 .missionMode(mission.isUnderWay() ? 1 : 2)
                 .build();
+    }
+
+    /** Also of a fence that is no longer held: stations would go on showing its breach. */
+    static Optional<Object> fence(OnboardState state) {
+        FenceState fence = state.fence();
+        return !fence.isHeld() && fence.breaches() == 0
+                ? Optional.empty()
+                : Optional.of(FenceStatus.builder()
+                        .breachStatus(fence.isBreached() ? 1 : 0)
+                        .breachCount(Math.min(fence.breaches(), UNKNOWN))
+                        .breachType(
+                                fence.isBreached() ? FenceBreach.FENCE_BREACH_BOUNDARY : FenceBreach.FENCE_BREACH_NONE)
+                        .breachTime(fence.breachMs())
+                        .breachMitigation(FenceMitigate.FENCE_MITIGATE_NONE)
+                        .build());
     }
 
     static Optional<Object> home(OnboardState state, long bootMs) {

@@ -14,6 +14,7 @@ import java.util.Optional;
  * @param isArmed whether its motors may turn
  * @param isCritical whether a failsafe is at work
  * @param mission how far the mission is
+ * @param fence whether it is where its fence lets it be
  */
 public record OnboardState(
         Optional<Place> place,
@@ -23,7 +24,8 @@ public record OnboardState(
         long customMode,
         boolean isArmed,
         boolean isCritical,
-        MissionProgress mission) {
+        MissionProgress mission,
+        FenceState fence) {
     /** How good a charge is. */
     public enum BatteryState {
         /** Enough. */
@@ -53,6 +55,20 @@ public record OnboardState(
      */
     public record MissionProgress(int item, boolean isUnderWay, boolean isDone) {}
 
+    /**
+     * Whether the vehicle is where its fence lets it be.
+     *
+     * @param isHeld whether it has a fence
+     * @param isInForce whether it keeps to that now
+     * @param isBreached whether it is outside
+     * @param breaches how often it left the fence since its start
+     * @param breachMs when it left the fence last, in ms of the clock by which it reports; 0 where it never did
+     */
+    public record FenceState(boolean isHeld, boolean isInForce, boolean isBreached, int breaches, long breachMs) {
+        /** The state of a vehicle that never had a fence. */
+        public static final FenceState NONE = new FenceState(false, false, false, 0, 0);
+    }
+
     /** A state. */
     public OnboardState {
         Objects.requireNonNull(place, "place");
@@ -60,5 +76,6 @@ public record OnboardState(
         Objects.requireNonNull(batteryPercent, "batteryPercent");
         Objects.requireNonNull(batteryState, "batteryState");
         Objects.requireNonNull(mission, "mission");
+        Objects.requireNonNull(fence, "fence");
     }
 }

@@ -194,6 +194,7 @@ final class OnboardVehicle {
                         state, lists.held(HeldKind.MISSION).size()));
             case MessageStreams.HUD -> OnboardReports.hud(state);
             case MessageStreams.BATTERY -> Optional.of(OnboardReports.battery(state));
+            case MessageStreams.FENCE -> OnboardReports.fence(state);
             case MessageStreams.FILTER -> Optional.of(OnboardReports.filter(state));
             case MessageStreams.HOME -> OnboardReports.home(state, nowMs);
             case 148 -> Optional.of(OnboardIdentity.version(name));
@@ -210,6 +211,11 @@ final class OnboardVehicle {
     /** An item of the mission is reached. */
     void reached(int item) {
         send.accept(MissionItemReached.builder().seq(item).build());
+    }
+
+    /** The vehicle left its fence, came back or has another: stations hear it at once. */
+    void fenceChanged() {
+        report(MessageStreams.FENCE).ifPresent(send);
     }
 
     /** Something is measured. */

@@ -3,12 +3,13 @@ package org.sami.mavlink.vehicle;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.sami.mavlink.address.MavlinkAddress;
 
 /**
- * Chooses the link on which messages are sent to a vehicle: of those on which it is heard, the one that has lost least lately. The choice changes when another
- * is clearly better, or when the chosen one is silent. Used by one thread.
+ * Chooses the link on which messages are sent to a vehicle: of those on which it is heard, the one that has lost least lately; of equal ones a network before a
+ * radio, and the radio with the stronger signal. The choice changes when another is clearly better, or when the chosen one is silent. Used by one thread.
  */
 final class LinkChoice {
     private static final long SILENT_MS = 2_500; // two heartbeats
@@ -17,7 +18,12 @@ final class LinkChoice {
     private static final int NUMBERS = 256;
     private static final int AT_ONCE = 128; // a wider gap is an older message, or a sender that began again
 
+    private static final long FRESH_MS = 1_000; // within which what comes on other links is no news
+    private static final int CLEARLY_STRONGER = 30; // of a radio's signal, some 15 dB
+    private static final int PERCENT = 100;
+
     private final List<Heard> links = new ArrayList<>();
+    private Map<MavlinkAddress, Integer> strengths = Map.of();
     private Optional<Heard> chosen = Optional.empty();
 
     /** How a vehicle is heard on a link. */
@@ -46,7 +52,15 @@ final class LinkChoice {
         }
     }
 
-    void heard(MavlinkAddress link, int number, long nowMs) {
+    /**
+     * A change of the chosen link.
+     *
+     * @param why what is wrong with the one before
+     */
+    record Change(MavlinkAddress before, MavlinkAddress now, String why) {}
+
+    /** The vehicle was heard; what changed by that. */
+    Optional<Change> heard(MavlinkAddress link, int number, long nowMs) {
         Heard now = links.stream()
                 .filter(each -> each.link.equals(link))
                 .findFirst()
@@ -57,27 +71,68 @@ final class LinkChoice {
                 });
         now.heard(number, nowMs);
         Heard best = order(nowMs).get(0);
-        if (chosen.filter(present -> !present.isSilent(nowMs) && best.lost + CLEARLY >= present.lost)
-                .isEmpty()) {
+        Optional<Heard> before = chosen;
+        if (before.isEmpty()) {
             chosen = Optional.of(best);
+            return Optional.empty();
         }
+        Optional<String> why = best == before.get() ? Optional.empty() : whyNot(before.get(), best, nowMs);
+        why.ifPresent(any -> chosen = Optional.of(best));
+        return why.map(words -> new Change(before.get().link, best.link, words));
+    }
+
+    /** Why another link is used in place of the present one; empty where it is not so much better. */
+    private Optional<String> whyNot(Heard present, Heard best, long nowMs) {
+        if (present.isSilent(nowMs)) {
+            return Optional.of("has been silent for %.1f s".formatted((nowMs - present.atMs) / 1000.0));
+        }
+        if (best.lost + CLEARLY < present.lost) {
+            return Optional.of("loses %.0f %% of its messages".formatted(present.lost * PERCENT));
+        }
+        if (best.lost <= present.lost + NEW_PART && strength(best) > strength(present) + CLEARLY_STRONGER) {
+            return Optional.of("has the weaker signal");
+        }
+        return Optional.empty();
+    }
+
+    /** How strong the signal of each radio is at its weaker end, 0 to 254; links that report none are networks. */
+    void strengths(Map<MavlinkAddress, Integer> now) {
+        strengths = Map.copyOf(now);
+    }
+
+    private int strength(Heard link) {
+        return strengths.getOrDefault(link.link, Integer.MAX_VALUE / 2);
+    }
+
+    /** Whether what comes on a link says how the vehicle is now: on the chosen one, and on any while that says nothing. */
+    boolean isNews(MavlinkAddress link, long nowMs) {
+        return chosen.filter(used -> !used.link.equals(link) && used.atMs + FRESH_MS >= nowMs)
+                .isEmpty();
     }
 
     private List<Heard> order(long nowMs) {
         List<Heard> order = new ArrayList<>(links);
         order.sort(Comparator.comparing((Heard each) -> each.isSilent(nowMs))
                 .thenComparing(each -> each.lost)
-                .thenComparing(each -> each.link instanceof MavlinkAddress.Serial)); // slower than a network
+                .thenComparing(each -> each.link instanceof MavlinkAddress.Serial) // slower than a network
+                .thenComparing(Comparator.comparing(this::strength).reversed()));
         return order;
     }
 
+    /** The chosen link; empty before the vehicle was heard. */
+    Optional<MavlinkAddress> chosen() {
+        return chosen.map(one -> one.link);
+    }
+
     /** All links: first the chosen one, then the others, the best first. */
-    List<MavlinkAddress> links(long nowMs) {
+    List<HeardLink> links(long nowMs) {
         List<Heard> order = order(nowMs);
         chosen.ifPresent(first -> {
             order.remove(first);
             order.add(0, first);
         });
-        return order.stream().map(each -> each.link).toList();
+        return order.stream()
+                .map(each -> new HeardLink(each.link, each.lost, each.atMs))
+                .toList();
     }
 }

@@ -1,6 +1,7 @@
 package org.sami.mavlink.vehicle;
 
 import java.util.Optional;
+import org.sami.mavlink.address.MavlinkAddress;
 
 /** Something that happened to a vehicle, as against a state of it, which a {@link VehicleSnapshot} has. */
 public sealed interface VehicleEvent {
@@ -19,8 +20,12 @@ public sealed interface VehicleEvent {
     /** Its autopilot said something. */
     record Said(VehicleId vehicle, StatusText text) implements VehicleEvent {}
 
-    /** The item of its mission that is carried out, or would be in mode AUTO, is another. */
-    record ItemCurrent(VehicleId vehicle, int item) implements VehicleEvent {}
+    /**
+     * The item of its mission that is carried out, or would be in mode AUTO, is another.
+     *
+     * @param heardMs when it said so, on the base's clock
+     */
+    record ItemCurrent(VehicleId vehicle, int item, long heardMs) implements VehicleEvent {}
 
     /**
      * It says that an item of its mission has been reached; it may say so more than once.
@@ -53,4 +58,18 @@ public sealed interface VehicleEvent {
 
     /** Its autopilot has started again: what is known of its lists and parameters may not hold any more. */
     record Restarted(VehicleId vehicle) implements VehicleEvent {}
+
+    /** It is heard on a further link, on which it can be commanded from now on as well. */
+    record LinkJoined(VehicleId vehicle, MavlinkAddress link) implements VehicleEvent {}
+
+    /**
+     * It is commanded on another link from now on.
+     *
+     * @param why what is wrong with the link before, in words that continue the link's name
+     */
+    record LinkChanged(VehicleId vehicle, MavlinkAddress before, MavlinkAddress now, String why)
+            implements VehicleEvent {}
+
+    /** Another vehicle has its id, on a link on which this vehicle is not heard; {@code own} is one on which it is. */
+    record OtherVehicle(VehicleId vehicle, MavlinkAddress link, MavlinkAddress own) implements VehicleEvent {}
 }

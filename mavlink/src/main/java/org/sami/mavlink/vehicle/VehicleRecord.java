@@ -17,9 +17,12 @@ import io.dronefleet.mavlink.minimal.MavType;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import org.sami.mavlink.address.MavlinkAddress;
 
 /** Gathers what one vehicle reports. */
 final class VehicleRecord {
@@ -45,7 +48,9 @@ final class VehicleRecord {
     private final VehicleId id;
     private final LinkChoice links = new LinkChoice();
     private final DuplicateIdDetector duplicates = new DuplicateIdDetector();
-    private final StatusTextParts parts = new StatusTextParts();
+    private final OwnLinks own;
+    private final RepeatedNews repeated = new RepeatedNews();
+    private final Map<MavlinkAddress, StatusTextParts> parts = new HashMap<>();
     private final Deque<StatusText> texts = new ArrayDeque<>();
     private MavType type = MavType.MAV_TYPE_GENERIC;
     private MavAutopilot autopilot = MavAutopilot.MAV_AUTOPILOT_GENERIC;
@@ -64,14 +69,40 @@ final class VehicleRecord {
 
     VehicleRecord(VehicleId id, long nowMs) {
         this.id = id;
+        own = new OwnLinks(id);
         positionMs = nowMs;
     }
 
-    /** Takes a message; what happened by it. */
+    /** Takes a message; what happened by it. What comes from another vehicle with this id, on another link, is not taken. */
     List<VehicleEvent> heard(MessageOrigin from, Object payload, long nowMs) {
-        heardMs = nowMs;
-        links.heard(from.link(), from.number(), nowMs);
         List<VehicleEvent> events = new ArrayList<>();
+        if (!own.isOwn(from.link(), payload, nowMs, events)) {
+            return events;
+        }
+        heardMs = nowMs;
+        links.heard(from.link(), from.number(), nowMs)
+                .map(change -> new VehicleEvent.LinkChanged(id, change.before(), change.now(), change.why()))
+                .ifPresent(events::add);
+        if (payload instanceof Statustext text) { // the next three come once on each link
+            parts.computeIfAbsent(from.link(), link -> new StatusTextParts())
+                    .take(text, nowMs)
+                    .forEach(whole -> said(whole, from.link(), events));
+        } else if (payload instanceof MissionItemReached reached) {
+            if (reached.seq() < MOST_ITEMS && !repeated.isRepeated("item " + reached.seq(), from.link(), nowMs)) {
+                events.add(new VehicleEvent.ItemReached(id, reached.seq(), position, nowMs));
+            }
+        } else if (payload instanceof CameraFeedback picture) {
+            if (!repeated.isRepeated("picture " + picture.imgIdx(), from.link(), nowMs)) {
+                taken(picture).ifPresent(events::add);
+            }
+        } else if (links.isNews(from.link(), nowMs)) {
+            take(payload, nowMs, events);
+        }
+        return events;
+    }
+
+    /** Takes how it is now. */
+    private void take(Object payload, long nowMs, List<VehicleEvent> events) {
         if (payload instanceof Heartbeat beat) {
             beat(beat, events);
         } else if (payload instanceof GlobalPositionInt at) {
@@ -93,17 +124,10 @@ final class VehicleRecord {
         } else if (payload instanceof FenceStatus fence) {
             health = health.withFence(fence.breachStatus() != 0);
         } else if (payload instanceof MissionCurrent current && current.seq() < MOST_ITEMS) {
-            current(current, events);
-        } else if (payload instanceof MissionItemReached reached && reached.seq() < MOST_ITEMS) {
-            events.add(new VehicleEvent.ItemReached(id, reached.seq(), position, nowMs));
-        } else if (payload instanceof Statustext text) {
-            parts.take(text, nowMs).forEach(whole -> said(whole, events));
-        } else if (payload instanceof CameraFeedback picture) {
-            taken(picture).ifPresent(events::add);
+            current(current, nowMs, events);
         } else {
             VehicleReadings.of(payload).forEach(reading -> events.add(new VehicleEvent.Measured(id, reading)));
         }
-        return events;
     }
 
     /** A picture at its own place, or where it has none (0, 0) at the vehicle's; none where neither is known. */
@@ -115,10 +139,10 @@ final class VehicleRecord {
                 new VehicleEvent.PictureTaken(id, picture.imgIdx(), picture.lat() * DEGREES, picture.lng() * DEGREES));
     }
 
-    private void current(MissionCurrent current, List<VehicleEvent> events) {
+    private void current(MissionCurrent current, long nowMs, List<VehicleEvent> events) {
         Optional<Integer> item = Optional.of(current.seq());
         if (!item.equals(currentItem)) {
-            events.add(new VehicleEvent.ItemCurrent(id, current.seq()));
+            events.add(new VehicleEvent.ItemCurrent(id, current.seq(), nowMs));
         }
         currentItem = item;
         itemsHeld = current.total() == 0
@@ -174,7 +198,13 @@ final class VehicleRecord {
         Optional<Double> heading =
                 at.hdg() == HEADING_NOT_KNOWN ? Optional.empty() : Optional.of(at.hdg() * FROM_CENTI % FULL_CIRCLE_DEG);
         return Optional.of(new VehiclePosition(
-                lat, lon, at.relativeAlt() * FROM_MILLI, Math.hypot(at.vx(), at.vy()) * FROM_CENTI, heading, nowMs));
+                lat,
+                lon,
+                at.relativeAlt() * FROM_MILLI,
+                Math.hypot(at.vx(), at.vy()) * FROM_CENTI,
+                heading,
+                nowMs,
+                at.timeBootMs()));
     }
 
     private static VehicleBattery battery(SysStatus status) {
@@ -208,7 +238,10 @@ final class VehicleRecord {
         };
     }
 
-    private void said(StatusText text, List<VehicleEvent> events) {
+    private void said(StatusText text, MavlinkAddress link, List<VehicleEvent> events) {
+        if (repeated.isRepeated(text.severity() + " " + text.text(), link, text.heardMs())) {
+            return;
+        }
         events.add(new VehicleEvent.Said(id, text));
         if (texts.size() == TEXTS) {
             texts.removeFirst();
@@ -228,12 +261,30 @@ final class VehicleRecord {
                 position,
                 battery,
                 gps,
-                isTwin() ? health.with("another vehicle has the id " + id + " too") : health,
+                healthNow(),
                 currentItem,
                 itemsHeld,
                 links.links(heardMs),
+                own.others(),
+                own.unsettled(),
                 List.copyOf(texts),
                 heardMs);
+    }
+
+    private VehicleHealth healthNow() {
+        VehicleHealth now = isTwin() ? health.with("another vehicle has the id " + id + " too") : health;
+        for (MavlinkAddress link : own.others()) {
+            now = now.with("another vehicle has the id " + id + " on " + link);
+        }
+        return now;
+    }
+
+    OwnLinks own() {
+        return own;
+    }
+
+    LinkChoice links() {
+        return links;
     }
 
     private String autopilotName() {

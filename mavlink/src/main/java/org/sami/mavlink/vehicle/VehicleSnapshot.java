@@ -14,7 +14,9 @@ import org.sami.mavlink.address.MavlinkAddress;
  *     false once it has not said for 5 s where it is, while it goes on speaking
  * @param currentItem the item of its mission that it carries out, or would in mode AUTO; empty where it does not say
  * @param itemsHeld how many items its mission has, home included; empty where it does not say
- * @param links on which links it is heard, the one on which it is spoken to first
+ * @param heardOn on which links it is heard, the one on which it is spoken to first
+ * @param others links on which another vehicle has its id
+ * @param unsettled links on which something speaks with its id that is not recognized: these, and those where that is not known yet
  * @param texts what it has said last, oldest first
  * @param heardMs when it was heard last, on the base's clock
  */
@@ -31,6 +33,14 @@ public record VehicleSnapshot(
         VehicleHealth health,
         Optional<Integer> currentItem,
         Optional<Integer> itemsHeld,
-        List<MavlinkAddress> links,
+        List<HeardLink> heardOn,
+        List<MavlinkAddress> others,
+        List<MavlinkAddress> unsettled,
         List<StatusText> texts,
-        long heardMs) {}
+        long heardMs) {
+
+    /** The links on which it is heard, the one on which it is spoken to first. */
+    public List<MavlinkAddress> links() {
+        return heardOn.stream().map(HeardLink::link).toList();
+    }
+}

@@ -7,6 +7,7 @@ import io.dronefleet.mavlink.minimal.MavType;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -89,6 +90,32 @@ public final class VehicleTable {
     /** The link on which a vehicle is spoken to; empty where it was not heard. */
     public Optional<MavlinkAddress> linkOf(VehicleId id) {
         return Optional.ofNullable(vehicles.get(id))
-                .map(known -> known.snapshot().links().get(0));
+                .flatMap(known -> known.links().chosen());
+    }
+
+    /** Whether what comes with an id on a link is not taken for the vehicle of that id: it is another one, or not recognized yet. */
+    public boolean isForeign(VehicleId id, MavlinkAddress link) {
+        return Optional.ofNullable(vehicles.get(id))
+                .filter(known -> !known.own().has(link))
+                .isPresent();
+    }
+
+    /** The links on which something speaks with a vehicle's id that is not recognized as that vehicle. */
+    public List<MavlinkAddress> unsettled(VehicleId id) {
+        return Optional.ofNullable(vehicles.get(id))
+                .map(known -> known.own().unsettled())
+                .orElse(List.of());
+    }
+
+    /** Whether a vehicle's autopilot has said its number, by which it is recognized on other links. */
+    public boolean hasNumber(VehicleId id) {
+        return Optional.ofNullable(vehicles.get(id))
+                .filter(known -> known.own().hasNumber())
+                .isPresent();
+    }
+
+    /** How strong the signal of each radio is at its weaker end, 0 to 254. */
+    public void strengths(Map<MavlinkAddress, Integer> now) {
+        vehicles.values().forEach(known -> known.links().strengths(now));
     }
 }

@@ -127,6 +127,44 @@ class ListReplacementTest {
     }
 
     @Test
+    void partIsSentBeforeItIsAskedFor() {
+        passUntilDone(replace(HeldKind.MISSION, mission(400)));
+        List<MissionItem> other = new ArrayList<>(mission(400));
+        IntStream.range(100, 250).forEach(i -> other.set(i, MissionItem.waypoint(i, 45.8 + i * 1e-5, 10.8, 0, 0)));
+        sent.clear();
+        var result = replace(HeldKind.MISSION, other);
+        nowMs++;
+        up.arrived(nowMs).forEach(message -> vehicle.take(STATION, message, nowMs));
+        vehicle.tick(nowMs);
+        nowMs += 2;
+        down.arrived(nowMs).forEach(message -> lists.take(message, nowMs));
+
+        assertThat(sent).filteredOn(MissionItemInt.class::isInstance).hasSizeBetween(50, 149);
+        passUntilDone(result);
+        assertThat(result).isCompletedWithValue(other);
+        assertThat(sent).filteredOn(MissionItemInt.class::isInstance).hasSize(150);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.05, 0", "0.2, 0", "0.05, 8"})
+    void partComesThroughABadRadio(double loss, int laterMs) {
+        for (int seed = 0; seed < 20; seed++) {
+            up = new BadRadio<>(seed, loss, loss, 1, laterMs);
+            down = new BadRadio<>(1_000 + seed, loss, loss, 1, laterMs);
+            vehicle = vehicle(650);
+            lists.forget();
+            passUntilDone(replace(HeldKind.MISSION, mission(400)));
+            List<MissionItem> other = new ArrayList<>(mission(400));
+            IntStream.range(100, 250).forEach(i -> other.set(i, MissionItem.waypoint(i, 45.8 + i * 1e-5, 10.8, 0, 0)));
+            var result = replace(HeldKind.MISSION, other);
+            long took = passUntilDone(result);
+
+            assertThat(result).isCompletedWithValue(other);
+            assertThat(took).as("seed %d", seed).isLessThan(4 * 550 * (PACE_MS + 2));
+        }
+    }
+
+    @Test
     void missionThatIsThereAlreadyIsOnlyReadBack() {
         passUntilDone(replace(HeldKind.MISSION, mission(30)));
         sent.clear();

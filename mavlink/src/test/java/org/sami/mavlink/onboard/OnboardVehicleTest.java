@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.dronefleet.mavlink.common.CommandAck;
 import io.dronefleet.mavlink.common.CommandInt;
 import io.dronefleet.mavlink.common.CommandLong;
+import io.dronefleet.mavlink.common.FenceStatus;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.MavCmd;
 import io.dronefleet.mavlink.common.MavFrame;
 import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MavMissionType;
+import io.dronefleet.mavlink.common.MavSysStatusSensor;
 import io.dronefleet.mavlink.common.MissionAck;
 import io.dronefleet.mavlink.common.MissionCount;
 import io.dronefleet.mavlink.common.MissionItemInt;
@@ -19,6 +21,7 @@ import io.dronefleet.mavlink.common.ParamValue;
 import io.dronefleet.mavlink.common.PositionTargetTypemask;
 import io.dronefleet.mavlink.common.SetPositionTargetGlobalInt;
 import io.dronefleet.mavlink.common.Statustext;
+import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.common.Timesync;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavType;
@@ -44,6 +47,8 @@ class OnboardVehicleTest {
     private int heard;
     private Optional<ListKeeper.Refusal> noList = Optional.empty();
     private int changes;
+    private Optional<ListKeeper.Refusal> noWhole = Optional.empty();
+    private OnboardState.FenceState fence = OnboardState.FenceState.NONE;
 
     private final class Scripted implements OnboardHost {
         @Override
@@ -56,7 +61,8 @@ class OnboardVehicleTest {
                     OnboardModes.AUTO,
                     true,
                     false,
-                    new OnboardState.MissionProgress(2, true, false));
+                    new OnboardState.MissionProgress(2, true, false),
+                    fence);
         }
 
         @Override
@@ -81,13 +87,18 @@ class OnboardVehicleTest {
         }
 
         @Override
-        public Optional<Refusal> whyNoList(VehicleId station, HeldKind kind) {
+        public Optional<Refusal> whyNoList(VehicleId station, HeldKind kind, int items) {
             return noList;
         }
 
         @Override
         public Optional<Refusal> whyNot(HeldKind kind, MissionItem item) {
             return item.command() == 16 ? Optional.empty() : Optional.of(Refusal.UNSUPPORTED);
+        }
+
+        @Override
+        public Optional<Refusal> whyNotWhole(HeldKind kind, List<MissionItem> items) {
+            return noWhole;
         }
 
         @Override
@@ -294,6 +305,48 @@ class OnboardVehicleTest {
         assertThat(result(item(1).build())).isEqualTo(MavMissionResult.MAV_MISSION_DENIED);
         assertThat(changes).isZero();
         assertThat(result(item(1).build())).isEqualTo(MavMissionResult.MAV_MISSION_ERROR); // none is expected
+    }
+
+    @Test
+    void aListThatIsWrongAsAWholeReplacesNothing() {
+        answers(Object.class, count(1));
+        noWhole = Optional.of(ListKeeper.Refusal.INVALID);
+
+        assertThat(result(item(0).build())).isEqualTo(MavMissionResult.MAV_MISSION_INVALID);
+        assertThat(changes).isZero();
+    }
+
+    @Test
+    void reportsTheFenceAndItsBreachAlsoOfAFenceThatIsNoLongerHeld() {
+        vehicle.fenceChanged();
+        assertThat(sent).isEmpty();
+        assertThat(geofence()).containsExactly(false, false, true);
+
+        fence = new OnboardState.FenceState(true, true, true, 2, 4_000);
+        sent.clear();
+        vehicle.fenceChanged();
+        FenceStatus breach = (FenceStatus) sent.get(0);
+        assertThat(breach.breachStatus()).isOne();
+        assertThat(breach.breachCount()).isEqualTo(2);
+        assertThat(breach.breachTime()).isEqualTo(4_000);
+        assertThat(geofence()).containsExactly(true, true, false);
+
+        fence = new OnboardState.FenceState(false, false, false, 2, 4_000);
+        sent.clear();
+        vehicle.fenceChanged();
+        assertThat(((FenceStatus) sent.get(0)).breachStatus()).isZero();
+        assertThat(geofence()).containsExactly(false, false, true);
+    }
+
+    /** Whether the status says that there is a fence, that it is in force, and that it is not breached. */
+    private List<Boolean> geofence() {
+        CommandLong ask = command(512).param1(1).build();
+        SysStatus status = answers(SysStatus.class, ask).get(0);
+        MavSysStatusSensor part = MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE;
+        return List.of(
+                status.onboardControlSensorsPresent().flagsEnabled(part),
+                status.onboardControlSensorsEnabled().flagsEnabled(part),
+                status.onboardControlSensorsHealth().flagsEnabled(part));
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
+import io.dronefleet.mavlink.common.AutopilotVersion;
 import io.dronefleet.mavlink.common.FenceStatus;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.MavSeverity;
@@ -20,6 +21,7 @@ import io.dronefleet.mavlink.minimal.MavModeFlag;
 import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
 import io.dronefleet.mavlink.util.EnumValue;
+import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -154,6 +156,7 @@ class VehicleTableTest {
 
     @Test
     void vehicleOnTwoLinksIsOneAndTheBetterIsUsedWhileTheOtherStaysReady() {
+        recognized();
         for (int i = 0; i < 100; i++) {
             beats(RADIO, i * 2, 1_000 + i * 100);
             beats(CABLE, i, 1_010 + i * 100);
@@ -169,6 +172,7 @@ class VehicleTableTest {
 
     @Test
     void linkIsNotChangedForALittle() {
+        recognized();
         for (int i = 0; i < 100; i++) {
             beats(CABLE, i + i / 20, 1_000 + i * 100);
             beats(RADIO, i, 1_010 + i * 100);
@@ -290,7 +294,7 @@ class VehicleTableTest {
                         new VehicleEvent.Appeared(one),
                         new VehicleEvent.ModeChanged(one, "HOLD", "AUTO"),
                         new VehicleEvent.ArmedChanged(one, true),
-                        new VehicleEvent.ItemCurrent(one, 2),
+                        new VehicleEvent.ItemCurrent(one, 2, 1_000),
                         new VehicleEvent.ItemReached(one, 2, Optional.empty(), 1_000),
                         new VehicleEvent.Measured(one, new VehicleReading("DO", 8.5, "")),
                         new VehicleEvent.Restarted(one));
@@ -338,5 +342,152 @@ class VehicleTableTest {
                 new MessageOrigin(CABLE, 1, 1, 0),
                 CameraFeedback.builder().imgIdx(number).lat(lat).lng(lng).build(),
                 1_000);
+    }
+
+    /** The vehicle is heard on cable and radio, and is one. */
+    private void recognized() {
+        beats(CABLE, 0, 0);
+        says(CABLE, 7, 0);
+        says(RADIO, 7, 0);
+        position(CABLE, 45.7, 100_000, 0);
+        assertThat(position(RADIO, 45.7, 100_100, 10))
+                .contains(new VehicleEvent.LinkJoined(new VehicleId(1, 1), RADIO));
+    }
+
+    private void says(MavlinkAddress link, int number, long ms) {
+        byte[] uid = new byte[18];
+        uid[3] = (byte) number;
+        table.heard(
+                new MessageOrigin(link, 1, 1, 0),
+                AutopilotVersion.builder().uid(BigInteger.ZERO).uid2(uid).build(),
+                ms);
+    }
+
+    private List<VehicleEvent> position(MavlinkAddress link, double latDeg, long bootMs, long ms) {
+        return table.heard(
+                new MessageOrigin(link, 1, 1, 0),
+                GlobalPositionInt.builder()
+                        .lat((int) (latDeg * 1e7))
+                        .lon(107_200_000)
+                        .timeBootMs(bootMs)
+                        .build(),
+                ms);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "7, 45.7, 500000, 3", // as many positions as it takes; a copied memory card
+        "7, 45.8, 100000, 3", // started together, 11 km apart
+        "8, 45.7, 100000, 1", // side by side, started together
+        "0, 45.8, 100000, 3" // without a number
+    })
+    void anotherVehicleOfItsIdOnAnotherLinkIsNamedAndNothingOfItIsTaken(
+            int number, double latDeg, long bootMs, int positions) {
+        beats(CABLE, 0, 0);
+        says(CABLE, 7, 0);
+        position(CABLE, 45.7, 100_000, 0);
+        says(RADIO, number, 5);
+        List<VehicleEvent> events = new ArrayList<>();
+        for (int i = 0; i < 5; i++) {
+            events.addAll(position(RADIO, latDeg, bootMs + i * 1_000L, i * 1_000L));
+            if (i + 1 < positions) {
+                assertThat(events).isEmpty();
+            }
+        }
+
+        VehicleId one = new VehicleId(1, 1);
+        assertThat(events).hasSizeLessThanOrEqualTo(1);
+        assertThat(only().others()).containsExactly(RADIO);
+        assertThat(only().links()).containsExactly(CABLE);
+        assertThat(only().health().failing()).containsExactly("another vehicle has the id 1 on " + RADIO);
+        assertThat(only().position().orElseThrow().latDeg()).isCloseTo(45.7, within(1e-6));
+        assertThat(table.isForeign(one, RADIO)).isTrue();
+        assertThat(table.isTwin(one)).isFalse();
+    }
+
+    @Test
+    void vehicleWithoutANumberIsRecognizedByItsTimeAndPlaceAfterThreeSeconds() {
+        beats(CABLE, 0, 0);
+        for (int i = 0; i < 30; i++) {
+            position(CABLE, 45.7, 100_000 + i * 100L, i * 100L);
+            position(RADIO, 45.7, 99_500 + i * 100L, i * 100L); // half a second late
+        }
+        assertThat(only().links()).containsExactly(CABLE);
+
+        assertThat(position(RADIO, 45.7, 102_500, 3_000)).hasSize(1);
+        assertThat(only().links()).containsExactly(CABLE, RADIO);
+    }
+
+    @Test
+    void vehicleThatStartsAgainWhileItsFirstLinkIsSilentIsRecognizedByItsNumber() {
+        beats(CABLE, 0, 0);
+        says(CABLE, 7, 0);
+        position(CABLE, 45.7, 900_000, 0);
+        says(RADIO, 7, 5_000);
+        position(RADIO, 45.7, 2_000, 5_000);
+        assertThat(only().links()).containsExactly(CABLE);
+
+        assertThat(position(RADIO, 45.7, 8_000, 10_001))
+                .contains(
+                        new VehicleEvent.LinkJoined(new VehicleId(1, 1), RADIO),
+                        new VehicleEvent.Restarted(new VehicleId(1, 1)));
+    }
+
+    @Test
+    void whatComesOnBothLinksIsTakenOnce() {
+        recognized();
+        List<VehicleEvent> events = new ArrayList<>();
+        for (MavlinkAddress link : List.of(CABLE, RADIO)) {
+            for (Object message : List.of(
+                    part(3, 0, "x".repeat(50)),
+                    part(3, 1, "end"),
+                    part(0, 0, "again"),
+                    part(0, 0, "again"),
+                    MissionItemReached.builder().seq(2).build(),
+                    CameraFeedback.builder().imgIdx(4).lat(1).lng(1).build(),
+                    NamedValueFloat.builder().name("DO").value(8.5f).build())) {
+                events.addAll(table.heard(new MessageOrigin(link, 1, 1, 0), message, 500));
+            }
+        }
+
+        assertThat(events).filteredOn(VehicleEvent.Said.class::isInstance).hasSize(3);
+        assertThat(events)
+                .filteredOn(VehicleEvent.ItemReached.class::isInstance)
+                .hasSize(1);
+        assertThat(events)
+                .filteredOn(VehicleEvent.PictureTaken.class::isInstance)
+                .hasSize(1);
+        assertThat(events).filteredOn(VehicleEvent.Measured.class::isInstance).hasSize(1);
+    }
+
+    @Test
+    void linkThatIsBehindDoesNotSayHowTheVehicleIsNowUnlessTheOtherIsSilent() {
+        recognized();
+        MissionCurrent third = MissionCurrent.builder().seq(3).total(5).build();
+        MissionCurrent second = MissionCurrent.builder().seq(2).total(5).build();
+        table.heard(new MessageOrigin(CABLE, 1, 1, 0), third, 1_000);
+        assertThat(table.heard(new MessageOrigin(RADIO, 1, 1, 0), second, 1_100))
+                .isEmpty();
+        assertThat(only().currentItem()).contains(3);
+
+        table.heard(new MessageOrigin(RADIO, 1, 1, 0), second, 2_101);
+        assertThat(only().currentItem()).contains(2);
+    }
+
+    @Test
+    void changeOfTheLinkIsToldWithItsReason() {
+        recognized();
+        List<VehicleEvent> events = new ArrayList<>();
+        for (int i = 1; i <= 40; i++) {
+            events.addAll(table.heard(
+                    new MessageOrigin(RADIO, 1, 1, i),
+                    beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 0),
+                    i * 100L));
+        }
+
+        assertThat(events)
+                .filteredOn(VehicleEvent.LinkChanged.class::isInstance)
+                .containsExactly(
+                        new VehicleEvent.LinkChanged(new VehicleId(1, 1), CABLE, RADIO, "has been silent for 2.6 s"));
     }
 }

@@ -2,6 +2,8 @@ package org.sami.mavlink.testing;
 
 import java.io.File;
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
@@ -56,6 +58,9 @@ public final class ArduPilotBoats implements AutoCloseable {
 
     private ArduPilotBoats(String kind, int first, int count, int speed, Path work, String parameters)
             throws IOException {
+        for (int number = first; number < first + count; number++) {
+            requireFree(firstPort(number));
+        }
         ProcessBuilder builder = new ProcessBuilder(
                         "bash", "run.sh", kind, Integer.toString(count), Integer.toString(speed))
                 .directory(PEERS.toFile())
@@ -65,6 +70,15 @@ public final class ArduPilotBoats implements AutoCloseable {
         builder.environment().put("WORK", work.toAbsolutePath().toString());
         builder.environment().put("PARAMS", parameters);
         process = builder.start();
+    }
+
+    /** Else a test would command the vehicles of another one, whose processes are left or run beside it. */
+    private static void requireFree(int port) throws IOException {
+        try (ServerSocket free = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
+            // it is free again once this is closed
+        } catch (IOException e) {
+            throw new IOException("a simulated vehicle is there already: port " + port + " is in use", e);
+        }
     }
 
     /** Whether the firmware is there. */
@@ -79,12 +93,17 @@ public final class ArduPilotBoats implements AutoCloseable {
 
     /** The address of the first link of a boat, by its number. */
     public static String address(int number) {
-        return "mavlink:tcp:127.0.0.1:" + (FIRST_PORT + APART * number);
+        return "mavlink:tcp:127.0.0.1:" + firstPort(number);
+    }
+
+    /** The port of its first link. */
+    public static int firstPort(int number) {
+        return FIRST_PORT + APART * number;
     }
 
     /** The port of its second link. */
     public static int secondPort(int number) {
-        return FIRST_PORT + APART * number + SECOND_LINK;
+        return firstPort(number) + SECOND_LINK;
     }
 
     /** The port of its third link. */

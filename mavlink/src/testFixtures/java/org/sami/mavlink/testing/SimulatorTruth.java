@@ -13,17 +13,25 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 
-/** Where a simulated vehicle truly was, as its simulator says on a link of its own. Safe for use by several threads. */
+/**
+ * Where a simulated vehicle truly was, as its simulator says on a link of its own ten times a second of simulated time. Between two reports it is taken to have
+ * gone straight; where they are too far apart for that, or none come any longer, nothing is said of where it was ({@link #gap}). Safe for use by several threads.
+ */
 public final class SimulatorTruth implements AutoCloseable {
     private static final int SIMSTATE = 164;
     private static final float EVERY_US = 100_000;
     private static final double METRES = 0.0111319; // of a ten millionth of a degree of latitude
     private static final int GROUND = 250;
+    private static final double GAP_M = 5; // reports of a vehicle at 3 m/s are 0.3 m apart
 
     private final Socket socket;
     private final List<int[]> track = new ArrayList<>();
     private final List<Long> heardNs = new ArrayList<>(); // when each was heard, on this process's clock
+    private volatile boolean isClosed;
+    private volatile String ended = ""; // why nothing is heard any longer
 
     /** Begins to listen on a vehicle's port. */
     public SimulatorTruth(int port, int system) throws IOException {
@@ -63,8 +71,45 @@ public final class SimulatorTruth implements AutoCloseable {
                     }
                 }
             }
-        } catch (IOException e) {
-            // it was closed
+            ended = "its simulator has ended the link";
+        } catch (IOException | RuntimeException e) {
+            ended = isClosed ? "" : String.valueOf(e);
+        }
+    }
+
+    /**
+     * Why nothing can be said of where it was for a part of the time: its reports have ended, or two are too far apart. A test that finds a place not visited says
+     * this first.
+     */
+    public Optional<String> gap() {
+        synchronized (track) {
+            if (!ended.isEmpty()) {
+                return Optional.of("after " + track.size() + " reports no more could be heard: " + ended);
+            }
+            for (int i = 1; i < track.size(); i++) {
+                double metres = metres(track.get(i - 1), track.get(i));
+                if (metres > GAP_M) {
+                    return Optional.of(String.format(
+                            Locale.ROOT,
+                            "report %d of %d is %.1f m from the one before, heard %.1f s after it",
+                            i,
+                            track.size(),
+                            metres,
+                            (heardNs.get(i) - heardNs.get(i - 1)) * 1e-9));
+                }
+            }
+            return Optional.empty();
+        }
+    }
+
+    /** The greatest distance between two reports that follow one another, in metres. */
+    public double longestStepM() {
+        synchronized (track) {
+            double longest = 0;
+            for (int i = 1; i < track.size(); i++) {
+                longest = Math.max(longest, metres(track.get(i - 1), track.get(i)));
+            }
+            return longest;
         }
     }
 
@@ -76,14 +121,27 @@ public final class SimulatorTruth implements AutoCloseable {
     /** How near it came to a place from one report on, in metres. */
     public double nearestM(int fromSample, double latDeg, double lonDeg) {
         double narrower = Math.cos(Math.toRadians(latDeg));
+        double nearest = Double.MAX_VALUE;
         synchronized (track) {
-            return track.stream()
-                    .skip(fromSample)
-                    .mapToDouble(at ->
-                            Math.hypot((at[0] - latDeg * 1e7) * METRES, (at[1] - lonDeg * 1e7) * METRES * narrower))
-                    .min()
-                    .orElse(Double.MAX_VALUE);
+            double[] before = null;
+            for (int[] at : track.subList(Math.min(fromSample, track.size()), track.size())) {
+                double[] now = {(at[1] - lonDeg * 1e7) * METRES * narrower, (at[0] - latDeg * 1e7) * METRES};
+                nearest = Math.min(nearest, fromOriginM(before == null ? now : before, now));
+                before = now;
+            }
         }
+        return nearest;
+    }
+
+    /** How near the way from one place to another comes to where both are counted from; of places too far apart, the nearer one. */
+    private static double fromOriginM(double[] from, double[] to) {
+        double eastM = to[0] - from[0];
+        double northM = to[1] - from[1];
+        double squared = eastM * eastM + northM * northM;
+        double part = squared == 0 ? 0 : -(from[0] * eastM + from[1] * northM) / squared;
+        double along =
+                squared > GAP_M * GAP_M ? Math.rint(Math.max(0, Math.min(1, part))) : Math.max(0, Math.min(1, part));
+        return Math.hypot(from[0] + along * eastM, from[1] + along * northM);
     }
 
     /** How near it came to another vehicle at one time, in metres; of vehicles at the speed of real time. */
@@ -114,6 +172,16 @@ public final class SimulatorTruth implements AutoCloseable {
         }
     }
 
+    /** Its places from one report on: latitude and longitude in degrees. */
+    public List<double[]> placesFrom(int sample) {
+        synchronized (track) {
+            return track.stream()
+                    .skip(sample)
+                    .map(at -> new double[] {at[0] / 1e7, at[1] / 1e7})
+                    .toList();
+        }
+    }
+
     /** The longest time for which it stayed within a radius of where it was, in seconds of its own clock, from one report to another. */
     public double longestStayS(int fromSample, int toSample, double radiusM) {
         synchronized (track) {
@@ -136,6 +204,7 @@ public final class SimulatorTruth implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
+        isClosed = true;
         socket.close();
     }
 }

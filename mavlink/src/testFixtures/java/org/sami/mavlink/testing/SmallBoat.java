@@ -1,5 +1,6 @@
 package org.sami.mavlink.testing;
 
+import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.common.CommandAck;
 import io.dronefleet.mavlink.common.CommandInt;
 import io.dronefleet.mavlink.common.CommandLong;
@@ -14,6 +15,7 @@ import io.dronefleet.mavlink.util.EnumValue;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
@@ -22,10 +24,12 @@ import org.sami.mavlink.mission.MissionItem;
 
 /**
  * A simulated boat with an autopilot, on TCP on loopback: modes, arming, a mission and single places as ArduPilot's boats have them, without any hydrodynamics.
- * It moves in straight lines at many times the requested speed. One client at a time. Safe for use by several threads.
+ * It moves in straight lines at many times the requested speed. It has two links, each with one client at a time, as autopilots have several ports: it reports on
+ * both, and answers on the one on which it was asked. Safe for use by several threads.
  */
 public final class SmallBoat implements AutoCloseable {
     private static final long STEP_MS = 50;
+    private static final String CHANGED = "Auto mission changed, restarted command";
     private static final int SET_MODE = 176;
     private static final int CHANGE_SPEED = 178;
     private static final int REPOSITION = 192;
@@ -33,9 +37,15 @@ public final class SmallBoat implements AutoCloseable {
     private static final int ARM = 400;
     private static final int SEND_EVERY = 511;
     private static final int TAKE_PICTURES = 2000;
+    private static final int REQUEST_MESSAGE = 512;
+    private static final int AUTOPILOT_VERSION = 148;
     private static final int POSITION = 33; // the number of its message
 
     private final SmallVehicleLink link;
+    private final SmallVehicleLink secondLink;
+    private final SmallBoatNumber number;
+    private volatile boolean secondCut;
+    private Optional<SmallVehicleLink> asking = Optional.empty(); // on which a message came that is being taken
     private final SmallBoatMotion motion;
     private final SmallBoatMission mission;
     private final ScheduledExecutorService steps = Executors.newSingleThreadScheduledExecutor(work -> {
@@ -50,6 +60,7 @@ public final class SmallBoat implements AutoCloseable {
     private int mode = SmallBoatMotion.HOLD;
     private boolean armed;
     private boolean failsafe;
+    private final double times;
     private long bootMs = 60_000;
     private int armings;
     private int pictures;
@@ -57,6 +68,7 @@ public final class SmallBoat implements AutoCloseable {
     private final List<Object> keptAnswers = new ArrayList<>();
     private final List<Integer> orderedModes = new ArrayList<>();
     private final List<Double> courses = new ArrayList<>();
+    private final List<Integer> restarts = new ArrayList<>();
 
     /**
      * A boat that lies at a place, disarmed in HOLD.
@@ -65,9 +77,13 @@ public final class SmallBoat implements AutoCloseable {
      */
     public SmallBoat(int system, double latDeg, double lonDeg, double times) throws IOException {
         mission = new SmallBoatMission(system);
+        this.times = times;
         motion = new SmallBoatMotion(latDeg, lonDeg, times);
-        link = new SmallVehicleLink(system, faults::isCut, this::heard);
+        number = new SmallBoatNumber(system);
+        link = new SmallVehicleLink(system, faults::isCut, message -> heard(message, link()));
+        secondLink = new SmallVehicleLink(system, () -> secondCut, message -> heard(message, second()));
         link.start();
+        secondLink.start();
         var unused = steps.scheduleWithFixedDelay(this::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS);
     }
 
@@ -76,9 +92,28 @@ public final class SmallBoat implements AutoCloseable {
         return link.address();
     }
 
+    /** The address of its second link. */
+    public String secondAddress() {
+        return secondLink.address();
+    }
+
+    private SmallVehicleLink link() {
+        return link;
+    }
+
+    private SmallVehicleLink second() {
+        return secondLink;
+    }
+
+    /** The number of its autopilot. */
+    public SmallBoatNumber number() {
+        return number;
+    }
+
     /** It has the key of a fleet from now on: it ignores what is not signed with it, and signs. */
     public void giveKey(SigningKey fleet) {
         link.keyed(fleet);
+        secondLink.keyed(fleet);
     }
 
     /** It speaks MAVLink 1 from now on. */
@@ -116,11 +151,16 @@ public final class SmallBoat implements AutoCloseable {
         return mission;
     }
 
+    /** The items to which it was under way when it began a leg again from a standstill, as its mission had changed; a step of it each. */
+    public synchronized List<Integer> restarts() {
+        return List.copyOf(restarts);
+    }
+
     /** Somebody else has given it this mission, home first, and it says so, as ArduPilot's boats do where the items to which they go next change. */
     public synchronized void replaceMission(List<MissionItem> items) {
         mission.put(items);
         for (int i = 0; i < 3; i++) {
-            say("Auto mission changed, restarted command");
+            say(CHANGED);
         }
     }
 
@@ -175,6 +215,14 @@ public final class SmallBoat implements AutoCloseable {
         }
     }
 
+    /** Cuts its second link, and each new connection there, until they are let through again. */
+    public void cutSecond(boolean now) throws IOException {
+        secondCut = now;
+        if (now) {
+            secondLink.cut();
+        }
+    }
+
     /** Sends a message of the library, whatever it says. */
     public synchronized void sends(Object payload) {
         send(payload);
@@ -207,16 +255,23 @@ public final class SmallBoat implements AutoCloseable {
         failsafe = false;
     }
 
-    private void heard(Object message) {
+    private void heard(Object message, SmallVehicleLink from) {
         faults.awaitThaw();
         if (!faults.isDeaf()) {
-            take(message);
+            take(message, from);
         }
     }
 
-    private synchronized void take(Object message) {
+    private synchronized void take(Object message, SmallVehicleLink from) {
+        asking = Optional.of(from);
+        take(message);
+        asking = Optional.empty();
+    }
+
+    private void take(Object message) {
         if (message instanceof CommandLong command
                 && command.command().value() != SEND_EVERY
+                && command.command().value() != REQUEST_MESSAGE
                 && faults.isIgnoringOrder()) {
             return;
         }
@@ -262,6 +317,7 @@ public final class SmallBoat implements AutoCloseable {
                 armed = first > 0 && faults.isArmable();
                 return true;
             }
+            case REQUEST_MESSAGE -> request((int) first);
             case SET_CURRENT -> mission.setCurrent((int) first);
             case SEND_EVERY -> {
                 if ((int) first == POSITION) {
@@ -277,6 +333,14 @@ public final class SmallBoat implements AutoCloseable {
             }
         }
         return true;
+    }
+
+    private void request(int message) {
+        if (message == AUTOPILOT_VERSION) {
+            send(number.message());
+        } else if (message == POSITION && reports.hasPosition()) {
+            reports.sendPosition(state());
+        }
     }
 
     private boolean takePicture() {
@@ -324,20 +388,41 @@ public final class SmallBoat implements AutoCloseable {
         }
         bootMs += STEP_MS;
         fence.tick(bootMs);
-        if (armed && !faults.isStuck()) {
+        mission.question().ifPresent(this::send);
+        boolean beginsAgain = mission.takeChange() && armed && mode == SmallBoatMotion.AUTO;
+        if (beginsAgain) {
+            restarts.add(mission.current());
+            say(CHANGED);
+        } else if (armed && !faults.isStuck()) {
             motion.step(mode, mission, STEP_MS / 1000.0).forEach(this::reached);
         }
-        reports.step(new SmallBoatReports.State(armed, mode, failsafe, fence.isOutside(), bootMs, motion, mission));
+        reports.step(state());
+    }
+
+    /** Since its autopilot started, by its own clock, which is as fast as the vehicle. */
+    private long ownMs() {
+        return (long) (bootMs * times);
+    }
+
+    private SmallBoatReports.State state() {
+        return new SmallBoatReports.State(armed, mode, failsafe, fence.isOutside(), ownMs(), motion, mission);
     }
 
     private void reached(int item) {
-        mission.item(item).ifPresent(place -> reports.passed(place.x(), place.y(), bootMs, motion));
+        mission.item(item).ifPresent(place -> reports.passed(place.x(), place.y(), ownMs(), motion));
         send(MissionItemReached.builder().seq(item).build());
     }
 
     private void send(Object payload) {
-        if (!reports.isSilent()) {
+        if (reports.isSilent()) {
+            return;
+        }
+        boolean toAll = payload instanceof Statustext || payload instanceof CameraFeedback;
+        if (asking.isPresent() && !toAll) {
+            asking.get().send(payload);
+        } else {
             link.send(payload);
+            secondLink.send(payload);
         }
     }
 
@@ -345,6 +430,7 @@ public final class SmallBoat implements AutoCloseable {
     @Override
     public void close() throws IOException {
         link.close();
+        secondLink.close();
         steps.shutdownNow();
     }
 }

@@ -17,7 +17,10 @@ import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.VehicleId;
 
-/** The mission of a small boat or copter, and the protocol that brings it there and back. Safe for use by several threads. */
+/**
+ * The mission of a small boat or copter, and the protocol that brings it there and back. As with ArduPilot the items of a part count one by one as they come, are
+ * asked for one at each step of the vehicle, and are taken unasked in their order. Safe for use by several threads.
+ */
 public final class SmallBoatMission {
     private static final int AUTOPILOT = 1;
     private static final int WAYPOINT = 16;
@@ -33,6 +36,8 @@ public final class SmallBoatMission {
     private int awaited; // the item that is asked for next
     private int last; // of those that come
     private boolean isPart;
+    private boolean isChanged; // since the last step
+    private boolean isAsking; // for the next item of a part
     private boolean refuses;
     private int uploads;
     private int current;
@@ -86,7 +91,8 @@ public final class SmallBoatMission {
         return current;
     }
 
-    synchronized void setCurrent(int item) {
+    /** It goes to another of its items from now on. */
+    public synchronized void setCurrent(int item) {
         current = item;
     }
 
@@ -176,9 +182,24 @@ public final class SmallBoatMission {
         return List.of();
     }
 
+    /** Whether an item of it was written since the last step, each of which is asked once. */
+    synchronized boolean takeChange() {
+        boolean was = isChanged;
+        isChanged = false;
+        return was;
+    }
+
+    /** What it asks for at a step of the vehicle; empty where it asks for nothing. */
+    synchronized Optional<Object> question() {
+        Optional<Object> question = isAsking ? Optional.of(asked()) : Optional.empty();
+        isAsking = false;
+        return question;
+    }
+
     private List<Object> comes(List<MissionItemInt> before, int first, int end) {
         coming = before;
         isPart = !before.isEmpty();
+        isAsking = false;
         awaited = first;
         last = end;
         return List.of(asked());
@@ -198,8 +219,13 @@ public final class SmallBoatMission {
             coming.add(item);
         }
         awaited++;
+        isChanged |= isPart;
+        isAsking = isPart && awaited <= last;
+        if (isPart) {
+            items = new ArrayList<>(coming);
+        }
         if (awaited <= last) {
-            return List.of(asked());
+            return isPart ? List.of() : List.of(asked());
         }
         items = coming;
         uploads += isPart ? 0 : 1;

@@ -10,8 +10,12 @@ import java.util.List;
 
 /** Small boats in a process of their own, so that what they need is not counted for a base. They report as often as a base asks for, and end with this process. */
 public final class SmallBoatProcess implements AutoCloseable {
-    private static final double LAT_DEG = 45.7;
-    private static final double LON_DEG = 10.72;
+    /** Latitude of the pier along which they lie, in degrees. */
+    public static final double LAT_DEG = 45.7;
+
+    /** Its longitude, in degrees. */
+    public static final double LON_DEG = 10.72;
+
     private static final double BERTH_DEG = 1e-4; // 11 m
 
     private final Process process;

@@ -166,7 +166,7 @@ public final class SmallBoatReports {
         }
     }
 
-    private void sendPosition(State now) {
+    synchronized void sendPosition(State now) {
         double mps = claimedMps > 0 ? claimedMps : now.armed() ? now.motion().speed() : 0;
         sendPosition(now.motion().lat(), now.motion().lon(), now.bootMs(), mps);
     }

@@ -59,8 +59,10 @@ public final class SmallCopter implements AutoCloseable {
     private boolean started; // the mission, since it was armed
     private boolean fell;
     private int armings;
+    private final double times;
     private long bootMs = 60_000;
     private long stepped;
+    private double reportedM; // the way that it had gone when it reported last
 
     /**
      * A copter that stands at a place, disarmed.
@@ -69,6 +71,7 @@ public final class SmallCopter implements AutoCloseable {
      */
     public SmallCopter(int system, double latDeg, double lonDeg, double times) throws IOException {
         mission = new SmallBoatMission(system);
+        this.times = times;
         flight = new SmallFlight(new SmallBoatMotion(latDeg, lonDeg, times), times);
         link = new SmallVehicleLink(system, () -> false, this::take);
         link.start();
@@ -207,6 +210,13 @@ public final class SmallCopter implements AutoCloseable {
         }
     }
 
+    /** In hundredths of metres a second since the last report, as its base sees it. */
+    private int speed() {
+        double metres = flight.motion().movedM() - reportedM;
+        reportedM += metres;
+        return (int) Math.round(metres * 100 * 1000 / (BEAT_EVERY * STEP_MS));
+    }
+
     private void report() {
         link.send(Heartbeat.builder()
                 .type(MavType.MAV_TYPE_QUADROTOR)
@@ -217,10 +227,11 @@ public final class SmallCopter implements AutoCloseable {
                 .mavlinkVersion(3)
                 .build());
         link.send(GlobalPositionInt.builder()
-                .timeBootMs(bootMs)
+                .timeBootMs((long) (bootMs * times)) // its own clock is as fast as it is
                 .lat(flight.motion().lat())
                 .lon(flight.motion().lon())
                 .relativeAlt((int) Math.round(flight.heightM() * 1000))
+                .vx(speed())
                 .hdg(9_000)
                 .build());
         link.send(

@@ -1,6 +1,7 @@
 package org.sami.crw.proxy.gateway;
 
 import java.net.InetSocketAddress;
+import java.util.List;
 import org.sami.spn.protocol.Priority;
 
 /** A link, or an attempt at one, to a vehicle for which the gateway speaks the boat link. Safe for use by several threads. */
@@ -20,12 +21,20 @@ public interface GatewayLink {
         /** The vehicle could not be reached, or the link has ended, for a reason in words. Called once; nothing follows. */
         void closed(String why);
 
-        /** The address stands for several vehicles; this is the address of one of them. Called for each. */
+        /**
+         * The address leads to a vehicle that has this address: it stands for several, or is a second link to one that is reached at another. Called for
+         * each.
+         */
         void found(InetSocketAddress vehicle);
     }
 
     /** Takes a whole frame of the boat link; one that comes before the link is open is lost. */
     void send(byte[] frame);
+
+    /** The links on which the vehicle is reached now, the one in use first; empty where that is not known, or no matter. */
+    default List<LinkStatus> linkStatuses() {
+        return List.of();
+    }
 
     /** Ends it. */
     void close();

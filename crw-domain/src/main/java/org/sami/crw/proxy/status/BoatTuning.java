@@ -20,6 +20,7 @@ import org.sami.boat.link.SettingsReport;
  * @param board how its control board is; empty for a boat without one, or an earlier one
  * @param capabilities what it cannot do and what it measures, where it says so
  * @param performance how far, how fast and how narrowly it drives, where it says so
+ * @param lostLinkBy which settings of its own make it do the lost-link action, such as {@code FS_GCS_ENABLE 0}; empty text where it does not say it
  */
 public record BoatTuning(
         Gains heading,
@@ -28,7 +29,20 @@ public record BoatTuning(
         LostLinkAction lostLinkAction,
         Optional<BoardCondition> board,
         BoatCapabilities capabilities,
-        BoatPerformance performance) {
+        BoatPerformance performance,
+        String lostLinkBy) {
+    /** Those of a boat that does not say which settings of its own make it do the lost-link action. */
+    public BoatTuning(
+            Gains heading,
+            Gains speed,
+            double velocityMultiplier,
+            LostLinkAction lostLinkAction,
+            Optional<BoardCondition> board,
+            BoatCapabilities capabilities,
+            BoatPerformance performance) {
+        this(heading, speed, velocityMultiplier, lostLinkAction, board, capabilities, performance, "");
+    }
+
     /** Those of a boat that says nothing of what it can do. */
     public BoatTuning(
             Gains heading,
@@ -58,6 +72,7 @@ public record BoatTuning(
         Objects.requireNonNull(board, "board");
         Objects.requireNonNull(capabilities, "capabilities");
         Objects.requireNonNull(performance, "performance");
+        Objects.requireNonNull(lostLinkBy, "lostLinkBy");
     }
 
     /** Those of a report. */
@@ -69,6 +84,7 @@ public record BoatTuning(
                 report.lostLinkAction(),
                 report.board(),
                 report.capabilities(),
-                report.performance());
+                report.performance(),
+                report.actionBy());
     }
 }

@@ -21,6 +21,9 @@ public interface BaseListener {
     /** A boat is reached at another address from now on. */
     default void onMoved(String boatId, InetSocketAddress from, InetSocketAddress to) {}
 
+    /** What is reached at an address is the vehicle at another one, over a second link: it is one boat, with the other address. */
+    default void onJoined(InetSocketAddress joined, InetSocketAddress vehicle) {}
+
     /** A boat has been removed; its proxy is no longer among the boats of the base. */
     default void onRemoved(String boatId) {}
 

@@ -1,9 +1,11 @@
 package org.sami.crw.proxy.tcp;
 
 import java.net.InetSocketAddress;
+import java.util.List;
 import java.util.Optional;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.security.Fingerprint;
+import org.sami.crw.proxy.gateway.LinkStatus;
 import org.sami.spn.protocol.Priority;
 
 /** One connection to a boat, from the try to connect to its end. Frames that are sent never make the sender wait. */
@@ -35,6 +37,11 @@ interface BoatConnection extends FrameSink {
 
     /** How many frames were left out, as too many came, since this was asked last. */
     long takeLeftOut();
+
+    /** The links on which the boat is reached; empty where it has this connection alone. */
+    default List<LinkStatus> linkStatuses() {
+        return List.of();
+    }
 
     /** Ends it, for a reason in words. */
     void close(String why);

@@ -152,7 +152,8 @@ final class BoatLink implements FrameSink {
                 lastEvent,
                 lastRefused,
                 failedTries,
-                failedTries == 0 ? 0 : nowMs - failingSinceMs);
+                failedTries == 0 ? 0 : nowMs - failingSinceMs,
+                connection.map(BoatConnection::linkStatuses).orElse(List.of()));
     }
 
     /** Puts a frame of the proxy on its way; it is lost if there is no connection. */

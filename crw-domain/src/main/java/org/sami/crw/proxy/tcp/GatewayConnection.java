@@ -1,11 +1,13 @@
 package org.sami.crw.proxy.tcp;
 
 import java.net.InetSocketAddress;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.crw.proxy.gateway.BoatGateway;
 import org.sami.crw.proxy.gateway.GatewayLink;
+import org.sami.crw.proxy.gateway.LinkStatus;
 import org.sami.spn.protocol.Priority;
 
 /** A connection to a vehicle for which a gateway in this process speaks the boat link: frames are handed over in memory, and nobody else can reach it. */
@@ -38,6 +40,11 @@ final class GatewayConnection implements BoatConnection {
     @Override
     public Optional<Fingerprint> peer() {
         return Optional.empty();
+    }
+
+    @Override
+    public List<LinkStatus> linkStatuses() {
+        return link.map(GatewayLink::linkStatuses).orElse(List.of());
     }
 
     @Override

@@ -39,6 +39,8 @@ final class LinkTable {
     private final Map<String, BoatLink> carriers = new LinkedHashMap<>();
     // by the boat that was there, until it is known who answers
     private final Map<BoatLink, String> left = new HashMap<>();
+    private final Map<InetSocketAddress, InetSocketAddress> joined =
+            new LinkedHashMap<>(); // second links to vehicles, with the addresses of these
     private final Map<String, BoatProxy> removed = new HashMap<>(); // each remembers which ids it has used
     private final Set<LinkAlarm> alarmed = new LinkedHashSet<>();
     private long made;
@@ -66,7 +68,17 @@ final class LinkTable {
     }
 
     List<LinkReport> reports() {
-        return links.stream().map(link -> link.report(nowMs)).toList();
+        List<LinkReport> reports = new ArrayList<>();
+        for (BoatLink link : links) {
+            LinkReport report = link.report(nowMs);
+            reports.add(report);
+            joined.forEach((second, vehicle) -> {
+                if (vehicle.equals(link.address())) {
+                    reports.add(report.at(second));
+                }
+            });
+        }
+        return reports;
     }
 
     /** Every connection that stands or is tried. */
@@ -79,6 +91,7 @@ final class LinkTable {
 
     void add(InetSocketAddress address, long atMs) {
         nowMs = atMs;
+        joined.remove(address);
         boolean known = links.stream().anyMatch(link -> link.address().equals(address));
         if (!known) {
             BoatLink link = new BoatLink(address, config, new Hand(), config.seed() + made++);
@@ -87,13 +100,17 @@ final class LinkTable {
         }
     }
 
-    /** An address of several boats has led to one of them; it is not looked at any longer itself. */
+    /** An address has led to a boat that has an address of its own, as it stands for several or is a second link; it is not looked at any longer itself. */
     void found(InetSocketAddress several, InetSocketAddress boat, long atMs) {
         add(boat, atMs);
         links.stream()
                 .filter(link -> link.address().equals(several))
                 .findFirst()
                 .ifPresent(this::drop);
+        if (!BoatAddress.of(several).leadsTo(BoatAddress.of(boat))) {
+            joined.put(several, boat);
+            tell("a second link to a vehicle", () -> listener.onJoined(several, boat));
+        }
     }
 
     /** The boat behind a link says something to the operator. */
@@ -124,7 +141,7 @@ final class LinkTable {
         Optional<BoatLink> found =
                 links.stream().filter(link -> link.address().equals(address)).findFirst();
         found.ifPresent(link -> link.boatId().ifPresentOrElse(this::remove, () -> drop(link)));
-        return found.isPresent();
+        return joined.remove(address) != null || found.isPresent();
     }
 
     /** Gives up a boat and its address. Returns whether it was known. */
@@ -143,6 +160,7 @@ final class LinkTable {
         removed.put(boatId, proxy);
         Optional.ofNullable(carriers.remove(boatId)).ifPresent(link -> {
             links.remove(link);
+            joined.values().removeIf(link.address()::equals);
             leaving.add(new Leaving(link, proxy, nowMs + STOP_WITHIN_MS));
         });
         forgetAlarms(boatId);

@@ -16,10 +16,11 @@ record VehicleAddress(String link, int first, int last) {
     static final int EVERY_VEHICLE = 256;
 
     private static final String PREFIX = "mavlink:";
+    private static final String SERIAL = PREFIX + "serial:";
     private static final int LAST_VEHICLE = 255;
-    private static final Pattern FORM =
-            Pattern.compile("(?<link>mavlink:(?:tcp:[^/,]+:[0-9]{1,5}|udpout:[^/,]+:[0-9]{1,5}|udp:[0-9]{1,5}"
-                    + "|serial:[^,]+:[0-9]{4,7}))(?:/(?<first>[0-9]{1,3})(?:-(?<last>[0-9]{1,3}))?)?");
+    private static final int LAST_PORT = 65_535;
+    private static final Pattern FORM = Pattern.compile(
+            "(?<link>mavlink:(?:(?:tcp:|udpout:)[^/,]+:|udp:|serial:[^,]+:)(?<number>[0-9]{1,7}))(?:/(?<first>[0-9]{1,3})(?:-(?<last>[0-9]{1,3}))?)?");
 
     /** Whether a text, or the host of an address, is meant as one of these; it may have faults still. */
     static boolean isOne(String text) {
@@ -33,20 +34,37 @@ record VehicleAddress(String link, int first, int last) {
      */
     static VehicleAddress parse(String text) {
         Matcher form = FORM.matcher(text.strip());
-        if (form.matches()) {
-            String link = form.group("link");
-            if (form.group("first") == null) {
-                return new VehicleAddress(link, EVERY_VEHICLE, EVERY_VEHICLE);
-            }
-            int first = Integer.parseInt(form.group("first"));
-            int last = form.group("last") == null ? first : Integer.parseInt(form.group("last"));
-            if (first >= 1 && first <= last && last <= LAST_VEHICLE) {
-                return new VehicleAddress(link, first, last);
-            }
+        if (!form.matches()) {
+            throw unfit(text, "");
         }
-        throw new IllegalArgumentException("'" + text
-                + "' is no MAVLink address: it is mavlink:tcp:HOST:PORT, mavlink:udp:PORT, mavlink:udpout:HOST:PORT or mavlink:serial:DEVICE:BAUD,"
-                + " and after it /N for the vehicle of system id N, or /N-M");
+        int number = Integer.parseInt(form.group("number"));
+        boolean isSerial = form.group("link").startsWith(SERIAL);
+        if (!isSerial && (number < 1 || number > LAST_PORT)) {
+            throw unfit(text, "a port is 1 to " + LAST_PORT + ", not " + number + "; ");
+        }
+        if (form.group("first") == null) {
+            return new VehicleAddress(form.group("link"), EVERY_VEHICLE, EVERY_VEHICLE);
+        }
+        int first = Integer.parseInt(form.group("first"));
+        int last = form.group("last") == null ? first : Integer.parseInt(form.group("last"));
+        if (first < 1 || Math.max(first, last) > LAST_VEHICLE) {
+            throw unfit(
+                    text,
+                    "a system id is 1 to " + LAST_VEHICLE + ", not " + (first < 1 ? first : Math.max(first, last))
+                            + "; ");
+        }
+        if (first > last) {
+            throw unfit(text, "the first system id, " + first + ", is above the last, " + last + "; ");
+        }
+        return new VehicleAddress(form.group("link"), first, last);
+    }
+
+    private static IllegalArgumentException unfit(String text, String why) {
+        return new IllegalArgumentException(
+                "'" + text + "' is no MAVLink address: " + why + "it is mavlink:tcp:HOST:PORT, mavlink:udp:PORT,"
+                        + " mavlink:udpout:HOST:PORT or"
+                        + " mavlink:serial:DEVICE:BAUD, and after it /N for the"
+                        + " vehicle of system id N, or /N-M");
     }
 
     /** As people write it. */

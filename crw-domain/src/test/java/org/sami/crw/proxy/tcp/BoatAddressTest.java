@@ -57,4 +57,33 @@ class BoatAddressTest {
         assertThatThrownBy(() -> BoatAddress.parseAll("a:1,b:1,A:1")).hasMessage("a:1 stands there twice");
         assertThatThrownBy(() -> BoatAddress.parseAll("a:1,")).hasMessageContaining("'' is no HOST:PORT");
     }
+
+    @Test
+    void readsVehiclesOfALinkByTheirNumbers() {
+        assertThat(BoatAddress.parseAll("mavlink:udp:14550/21-23, mavlink:serial:/dev/ttyUSB0:57600/7,a:1"))
+                .extracting(BoatAddress::toString)
+                .containsExactly(
+                        "mavlink:udp:14550/21",
+                        "mavlink:udp:14550/22",
+                        "mavlink:udp:14550/23",
+                        "mavlink:serial:/dev/ttyUSB0:57600/7",
+                        "a:1");
+        assertThat(BoatAddress.parseAll("mavlink:udpout:boat.local:14550"))
+                .singleElement()
+                .matches(BoatAddress::isOfEveryVehicle);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "mavlink:udp:14550/0, 'a system id is 1 to 255, not 0; '",
+        "mavlink:udp:14550/20-256, 'a system id is 1 to 255, not 256; '",
+        "mavlink:udp:14550/25-21, 'the first system id, 25, is above the last, 21; '",
+        "mavlink:tcp:127.0.0.1:99999/1, 'a port is 1 to 65535, not 99999; '",
+        "mavlink:udp:14550/a, ''"
+    })
+    void saysWhatIsWrongWithTheAddressOfAVehicle(String text, String why) {
+        assertThatThrownBy(() -> BoatAddress.parseAll("a:1," + text))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith("'" + text + "' is no MAVLink address: " + why + "it is mavlink:tcp:HOST:PORT");
+    }
 }

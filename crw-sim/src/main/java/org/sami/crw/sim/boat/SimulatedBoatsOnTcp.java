@@ -19,11 +19,11 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.SimulatedBoats;
-import org.sami.crw.session.picture.SessionPictures;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.picture.BoatsInSight;
 import org.sami.crw.sim.vessel.ForeignVessels;
+import org.sami.session.record.SessionPictures;
 import org.sami.spn.value.GeoPoint;
 
 /**

@@ -11,7 +11,6 @@ import org.sami.crw.report.LinkResult.Uploads;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
-import org.sami.crw.session.archive.FleetHistory;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.link.Radio;
 import org.sami.crw.sim.run.record.BoatState;
@@ -23,6 +22,7 @@ import org.sami.crw.sim.run.record.VesselApproaches;
 import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.world.SimulatedWater;
+import org.sami.session.record.FleetHistory;
 import org.sami.spn.value.GeoPoint;
 
 /**

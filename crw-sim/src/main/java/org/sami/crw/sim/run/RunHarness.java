@@ -53,7 +53,7 @@ public final class RunHarness implements FleetRun {
                 new InterruptScheduler(input.interrupts().read(input.settings().interrupts(), fleet.names()), clock);
         records = new RunRecords(input, session, fleet.plane(), notes, operator, interrupts);
         fleet.addTo(records.folds());
-        lifecycle = new RunLifecycle(input, session, records);
+        lifecycle = new RunLifecycle(input, fleet.names().size(), session, records);
         session.addOperator(operator);
     }
 

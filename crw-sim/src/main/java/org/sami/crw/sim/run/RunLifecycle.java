@@ -24,13 +24,17 @@ public final class RunLifecycle {
     private final RunMission mission;
     private final StallDetector stall;
     private Optional<String> fault = Optional.empty();
+    private final int boats; // that join before the first mission begins
     private int started; // number of missions
 
     /**
      * For one run, which has not begun.
+     *
+     * @param boats how many boats it has; fewer than addresses where two of these lead to one boat
      */
-    RunLifecycle(RunInput input, Session session, RunRecords records) {
+    RunLifecycle(RunInput input, int boats, Session session, RunRecords records) {
         this.input = input;
+        this.boats = Math.min(boats, input.settings().fleet().boats());
         this.session = session;
         mission = records.mission();
         stall = new StallDetector(input.missions().size(), session, records);
@@ -48,7 +52,7 @@ public final class RunLifecycle {
 
     /** Starts the first mission, once, if all its boats have joined. */
     public void startWhenAllHaveJoined() {
-        if (started == 0 && mission.boatsJoined() >= input.settings().fleet().boats()) {
+        if (started == 0 && mission.boatsJoined() >= boats) {
             start(input.missions().get(0));
         }
     }

@@ -17,7 +17,6 @@ import org.sami.crw.report.RunOutcome;
 import org.sami.crw.session.BoatsAtEnd;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
-import org.sami.crw.session.archive.FleetHistory;
 import org.sami.crw.sim.run.FleetRun;
 import org.sami.crw.sim.run.RunFleet;
 import org.sami.crw.sim.run.RunObserver;
@@ -28,6 +27,7 @@ import org.sami.crw.sim.run.record.RunProgress;
 import org.sami.crw.sim.run.record.TrackRecorder;
 import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.session.record.FleetHistory;
 import org.sami.spn.value.GeoPoint;
 
 /**

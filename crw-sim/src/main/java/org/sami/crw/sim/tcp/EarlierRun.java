@@ -8,12 +8,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.sami.crw.proxy.command.UploadCount;
-import org.sami.crw.session.archive.FleetHistory;
-import org.sami.crw.session.archive.SensorValue;
-import org.sami.crw.session.archive.SessionNote;
-import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.crw.sim.run.record.NoteFold;
 import org.sami.crw.sim.run.record.ReportFolds;
+import org.sami.session.record.FleetHistory;
+import org.sami.session.record.SensorValue;
+import org.sami.session.record.SessionNote;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.value.GeoPoint;
 

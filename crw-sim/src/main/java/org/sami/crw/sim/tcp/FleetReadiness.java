@@ -83,7 +83,7 @@ final class FleetReadiness {
                 .flatMap(address -> links.stream()
                         .filter(report -> isAt(report.address(), address))
                         .flatMap(report -> report.boatId().stream()));
-        return Stream.concat(connected, simulated.stream()).toList();
+        return Stream.concat(connected, simulated.stream()).distinct().toList(); // a boat may have two links
     }
 
     private static boolean isAt(InetSocketAddress known, BoatAddress address) {

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import org.sami.crw.session.archive.SessionTelemetry;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.protocol.Ids;

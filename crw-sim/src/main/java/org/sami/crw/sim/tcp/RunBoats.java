@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.report.LinkResult;
-import org.sami.crw.session.archive.FleetHistory;
 import org.sami.crw.sim.run.record.BoatState;
+import org.sami.session.record.FleetHistory;
 
 /** The boats of a session as a run's report has them. Safe for use by several threads. */
 final class RunBoats {

@@ -6,8 +6,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.decision.AnswersFile;
 import org.sami.crw.handler.planning.CrwServices;
+import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.TcpBaseConfig;
@@ -17,7 +19,6 @@ import org.sami.crw.session.SessionDefaults;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.fault.FaultPolicy;
-import org.sami.crw.session.picture.SessionPictures;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
 import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.crw.sim.resume.ConnectedJournal;
@@ -28,6 +29,8 @@ import org.sami.crw.sim.run.settings.RunInput;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.crw.sim.run.settings.Site;
+import org.sami.session.api.RefusedException;
+import org.sami.session.record.SessionPictures;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.value.GeoPoint;
 
@@ -44,6 +47,7 @@ public final class TcpRun {
     private final CallerThread caller;
     private final RunNotes notes;
     private Optional<SessionPictures> pictures = Optional.empty();
+    private Optional<LostLinkAction> lostLink = Optional.empty();
 
     /**
      * Puts a run together; nothing happens yet.
@@ -71,6 +75,12 @@ public final class TcpRun {
     /** Pictures go there where the run has no journal, next to which they are kept otherwise. Call it before the run. */
     public TcpRun keepPicturesIn(Optional<SessionPictures> folder) {
         pictures = folder;
+        return this;
+    }
+
+    /** What boats are to do when their link is lost: each is set before it is sent anywhere, and a line says whether it has confirmed it. Call it before the run. */
+    public TcpRun setLostLink(Optional<LostLinkAction> wish) {
+        lostLink = wish;
         return this;
     }
 
@@ -115,12 +125,22 @@ public final class TcpRun {
                 run.catchUp(session, earlier, journal.cameToMillis());
             }
             if (ready) {
+                lostLink.ifPresent(wish -> run.fleet.names().forEach(boat -> setLostLink(session, boat, wish)));
                 run.fleet.areThere();
             }
             return run.harness.run(observer, beganNanos, journal::resumedFrom);
         } finally {
             caller.restoreInterrupt();
         }
+    }
+
+    private void setLostLink(Session session, String boat, LostLinkAction wish) {
+        session.fleet()
+                .setLostLinkAction(boat, wish)
+                .whenComplete((taken, fault) -> caller.later(
+                        fault == null
+                                ? "without a link " + boat + " " + LostLinkWords.of(wish) + ", as it has confirmed"
+                                : boat + " is not set for a lost link: " + RefusedException.reason(fault)));
     }
 
     /** A harness and the fleet that it runs on. */

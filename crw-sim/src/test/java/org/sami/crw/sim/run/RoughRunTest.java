@@ -6,7 +6,6 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
-import org.sami.crw.session.archive.SensorValue;
 import org.sami.crw.sim.hull.Conditions;
 import org.sami.crw.sim.hull.Flow;
 import org.sami.crw.sim.hull.SensorSetting;
@@ -14,6 +13,7 @@ import org.sami.crw.sim.run.record.ReadingRecorder;
 import org.sami.crw.sim.run.settings.FleetSettings;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
+import org.sami.session.record.SensorValue;
 import org.sami.spn.value.GeoPoint;
 
 /** Whole missions in current, wind and noise, with sensors. */

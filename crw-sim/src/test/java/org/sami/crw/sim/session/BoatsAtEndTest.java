@@ -22,8 +22,8 @@ import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.session.BoatsAtEnd;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
-import org.sami.crw.session.archive.SessionNote;
 import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.session.record.SessionNote;
 import org.sami.spn.value.GeoPoint;
 
 /** What boats under way do once a session was left, as they say it themselves. */

@@ -28,10 +28,10 @@ import org.sami.crw.operator.alarm.Alarm;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
-import org.sami.crw.session.archive.SessionNote;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.hull.SensorKind;
 import org.sami.crw.sim.hull.SensorSetting;
+import org.sami.session.record.SessionNote;
 
 /** One boat that says too much, next to one that says what boats say, in a real session over TCP with its journal. */
 @Tag("long")

@@ -23,10 +23,10 @@ import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.OwnPort;
 import org.sami.crw.proxy.file.BoatFileLink;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.LinkedBoat;
 import org.sami.crw.session.file.LogFetch;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
+import org.sami.session.api.LinkedBoat;
 import org.sami.spn.value.GeoPoint;
 
 /** The fetching of logs as a window shows it, of boats on real ports. */

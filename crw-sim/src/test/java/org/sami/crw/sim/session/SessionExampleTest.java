@@ -11,10 +11,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.archive.SessionJournal;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.DomainLibrary;
 

@@ -20,9 +20,9 @@ import org.sami.crw.operator.health.HealthEntry;
 import org.sami.crw.operator.health.HealthKind;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.StuckMission;
-import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.boat.BoatOnTcp;
+import org.sami.session.api.RefusedException;
 
 /** Missions that cannot go on say so, since when, why and what would help; those that merely wait do not. */
 @Tag("long")

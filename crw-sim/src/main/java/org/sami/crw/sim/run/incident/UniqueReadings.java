@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.session.SessionListener;
-import org.sami.crw.session.archive.SensorValue;
+import org.sami.session.record.SensorValue;
 
 /** Counts readings of which none is within 1 m of one that was counted before, of all boats together (thesis 8.2). For the fleet's thread. */
 final class UniqueReadings implements SessionListener {

@@ -2,9 +2,9 @@ package org.sami.crw.sim.run.operator;
 
 import java.util.Collection;
 import org.sami.crw.service.Geodesy;
-import org.sami.crw.session.archive.FleetHistory;
 import org.sami.crw.sim.fleet.SimulatedFleet;
 import org.sami.crw.sim.hull.Quay;
+import org.sami.session.record.FleetHistory;
 import org.sami.spn.value.GeoPoint;
 
 /**

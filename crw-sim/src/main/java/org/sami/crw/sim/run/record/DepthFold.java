@@ -8,9 +8,9 @@ import org.sami.boat.server.vehicle.LocalFrame;
 import org.sami.crw.report.DepthsPart;
 import org.sami.crw.report.DepthsPart.DepthCell;
 import org.sami.crw.report.DepthsPart.MapError;
-import org.sami.crw.session.archive.SensorValue;
 import org.sami.crw.sim.layer.DepthGrid;
 import org.sami.crw.sim.layer.Sonar;
+import org.sami.session.record.SensorValue;
 
 /**
  * Maps the depth that boats measure, at the places where they take themselves to be; real boats' sonars, too. Nothing where nobody measured. Safe for use by

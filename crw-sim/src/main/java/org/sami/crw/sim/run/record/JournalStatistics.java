@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.crw.report.statistics.SessionFigures;
-import org.sami.crw.session.archive.SessionTelemetry;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalPlans;

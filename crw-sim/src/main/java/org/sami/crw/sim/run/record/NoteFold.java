@@ -3,7 +3,7 @@ package org.sami.crw.sim.run.record;
 import java.util.ArrayList;
 import java.util.List;
 import org.sami.crw.report.NoteResult;
-import org.sami.crw.session.archive.SessionNote;
+import org.sami.session.record.SessionNote;
 
 /** The messages to the operator. Safe for use by several threads. */
 public final class NoteFold implements ReportFold {

@@ -3,8 +3,8 @@ package org.sami.crw.sim.run.record;
 import java.util.Map;
 import java.util.NavigableMap;
 import java.util.TreeMap;
-import org.sami.crw.session.archive.FleetHistory;
-import org.sami.crw.session.archive.SessionTelemetry;
+import org.sami.session.record.FleetHistory;
+import org.sami.session.record.SessionTelemetry;
 
 /** How far the boats of a session had driven at each moment, from its telemetry. Used by one thread. */
 public final class Odometers implements SessionTelemetry.Reader {

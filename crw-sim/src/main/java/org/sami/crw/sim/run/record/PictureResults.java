@@ -8,8 +8,8 @@ import org.sami.crw.operator.picture.PanoramaPictures;
 import org.sami.crw.operator.picture.TakenPictures;
 import org.sami.crw.report.PictureResult;
 import org.sami.crw.report.PicturesPart;
-import org.sami.crw.session.archive.PictureRows;
-import org.sami.crw.session.picture.SessionPictures;
+import org.sami.session.record.PictureRows;
+import org.sami.session.record.SessionPictures;
 import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.TelemetryRow;
 

@@ -6,7 +6,7 @@ import org.sami.crw.report.NoteResult;
 import org.sami.crw.report.ReadingResult;
 import org.sami.crw.report.RowFormats;
 import org.sami.crw.report.SpooledList;
-import org.sami.crw.session.archive.SensorValue;
+import org.sami.session.record.SensorValue;
 
 /**
  * Records sensor readings that the base receives: the first {@link #MOST}, in a file. Readings are not inputs of the engine. Safe for use by several

@@ -1,8 +1,8 @@
 package org.sami.crw.sim.run.record;
 
 import java.util.List;
-import org.sami.crw.session.archive.SensorValue;
-import org.sami.crw.session.archive.SessionNote;
+import org.sami.session.record.SensorValue;
+import org.sami.session.record.SessionNote;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Effect;

@@ -2,8 +2,8 @@ package org.sami.crw.sim.run.record;
 
 import java.util.function.Consumer;
 import org.sami.crw.session.SessionListener;
-import org.sami.crw.session.archive.SessionNote;
 import org.sami.crw.sim.run.RunNews;
+import org.sami.session.record.SessionNote;
 
 /** Passes messages to the operator on to the run's report, and shows those about boats and links at once. Safe for several threads. */
 public final class RunNotes implements SessionListener {

@@ -12,10 +12,10 @@ import org.sami.crw.report.OperatorActionsPart;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
-import org.sami.crw.session.archive.SensorValue;
 import org.sami.crw.sim.run.operator.InterruptScheduler;
 import org.sami.crw.sim.run.operator.SimulatedOperatorDriver;
 import org.sami.crw.sim.run.settings.RunInput;
+import org.sami.session.record.SensorValue;
 import org.sami.spn.host.HostListener;
 
 /**

@@ -2,6 +2,7 @@ package org.sami.crw.mavlink;
 
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,30 +13,39 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.stream.Collectors;
+import org.sami.mavlink.address.AddressText;
+import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.base.MessagePlan;
 import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
-/** One MAVLink address with the vehicles that are heard there, and the base's connections to them. For the gateway's thread. */
-final class VehicleLink {
+/**
+ * The MAVLink links of a session with the vehicles that are heard on them, and the base's connections to these. A vehicle on several links is one: the base is
+ * told its address on the link on which it was found first. For the gateway's thread.
+ */
+final class VehicleLinks {
     private static final int EVERY_VEHICLE = 256; // port of an address without a number
     private static final String ARDUPILOT = "ArduPilot";
     static final long HEARD_MS = 2_000; // a vehicle that was heard within it is there
+    private static final int STATUS_TICKS = 10; // a second
     private static final long TRY_MS = 4_000;
+    private static final long RECOGNIZED_MS = 8_000; // an autopilot without a number takes longer than one with it
 
-    private final String address;
     private final Executor thread;
     private final LongSupplier nowMs;
     private final VehicleFiles files;
-    private final SeenTargets seen;
+    private final SeenTargets seen = new SeenTargets();
     private final MavlinkBase base;
     private final Consumer<VehicleEvent> events = this::heard;
     private final Map<Integer, VehicleBoat> boats = new TreeMap<>(); // by system id
+    private final Map<Integer, InetSocketAddress> homes = new HashMap<>(); // where the session reaches each
     private final List<Waiting> waiting = new ArrayList<>();
     private final List<Several> several = new ArrayList<>();
     private List<VehicleSnapshot> vehicles = List.of();
-    private SessionFence fence; // that each vehicle is to hold
+    private SessionFence fence = SessionFence.NONE; // that each vehicle is to hold
+    private long ticks;
     private boolean asked; // for the vehicles, and not answered
 
     /** A connection to a vehicle that is not heard yet. */
@@ -45,26 +55,14 @@ final class VehicleLink {
     private record Several(VehicleConnection connection, Set<Integer> found, long untilMs) {}
 
     /**
-     * A link.
+     * No links yet.
      *
-     * @param address as users write it
-     * @param base listens at this address alone; closed with the link
-     * @param seen numbers the targets of all vehicles of the session
+     * @param base has no links; closed with these
      */
-    VehicleLink(
-            String address,
-            MavlinkBase base,
-            Executor thread,
-            LongSupplier nowMs,
-            VehicleFiles files,
-            SeenTargets seen,
-            SessionFence fence) {
-        this.address = address;
+    VehicleLinks(MavlinkBase base, Executor thread, LongSupplier nowMs, VehicleFiles files) {
         this.thread = thread;
         this.nowMs = nowMs;
         this.files = files;
-        this.seen = seen;
-        this.fence = fence;
         this.base = base;
         base.addListener(events);
     }
@@ -75,12 +73,22 @@ final class VehicleLink {
         boats.values().forEach(boat -> boat.keepTo(area));
     }
 
+    /**
+     * Begins to reach the vehicle, or all, of a connection's address.
+     *
+     * @throws IllegalArgumentException where the address is none
+     */
     void add(VehicleConnection connection, long now) {
+        base.open(linkOf(connection));
         if (connection.address().getPort() == EVERY_VEHICLE) {
             several.add(new Several(connection, new TreeSet<>(), now + TRY_MS));
         } else {
             waiting.add(new Waiting(connection, now + TRY_MS));
         }
+    }
+
+    private static MavlinkAddress linkOf(VehicleConnection connection) {
+        return AddressText.parse(connection.address().getHostString());
     }
 
     /** Called on the thread of the MAVLink base. */
@@ -101,6 +109,14 @@ final class VehicleLink {
                     },
                     why -> asked = false);
         }
+        if (ticks++ % STATUS_TICKS == 0) {
+            Results.when(base.plans(), thread, plans -> tell(plans, nowMs.getAsLong()), why -> {});
+        }
+    }
+
+    private void tell(Map<MavlinkAddress, MessagePlan> plans, long atMs) {
+        List<MavlinkLinkReport> links = base.links();
+        boats.values().forEach(boat -> boat.links(links, plans, atMs));
     }
 
     private void take(List<VehicleSnapshot> now, long atMs) {
@@ -147,24 +163,50 @@ final class VehicleLink {
             waiting.remove(one);
             return;
         }
-        Optional<VehicleSnapshot> heard = heard(one.connection.address().getPort(), atMs);
-        Optional<VehicleBoat> boat = heard.map(vehicle -> boats.get(vehicle.id().system()));
-        if (boat.filter(VehicleBoat::isKnown).isPresent() && fault().isEmpty()) {
+        MavlinkAddress link = linkOf(one.connection);
+        int system = one.connection.address().getPort();
+        Optional<VehicleSnapshot> heard = vehicle(system).filter(known -> isReachedBy(one.connection, known, atMs));
+        Optional<VehicleBoat> boat = heard.map(vehicle -> boats.get(system));
+        Optional<String> refusal = heard.flatMap(VehicleLinks::whyNot);
+        if (refusal.isPresent()) {
             waiting.remove(one);
+            one.connection.end(refusal.get());
+        } else if (boat.isPresent() && !home(one.connection).equals(one.connection.address())) {
+            waiting.remove(one);
+            one.connection.found(home(one.connection));
+        } else if (boat.filter(VehicleBoat::isKnown).isPresent()
+                && fault(heard.get().links().get(0)).isEmpty()) {
+            waiting.remove(one);
+            homes.put(system, one.connection.address());
             boat.get().connect(one.connection, atMs);
-        } else if (heard.flatMap(VehicleLink::whyNot).isPresent()) {
+        } else if (atMs > one.untilMs + (vehicle(system).isPresent() && heard.isEmpty() ? RECOGNIZED_MS : 0)
+                || isOther(system, link)) {
             waiting.remove(one);
-            one.connection.end(heard.flatMap(VehicleLink::whyNot).get());
-        } else if (atMs > one.untilMs) {
-            waiting.remove(one);
-            one.connection.end(whyNot("vehicle " + one.connection.address().getPort(), atMs));
+            one.connection.end(whyNot("vehicle " + system, link, atMs));
         }
     }
 
-    private Optional<VehicleSnapshot> heard(int system, long atMs) {
+    /** Where the session reaches the vehicle of a connection: where it was found first. */
+    private InetSocketAddress home(VehicleConnection connection) {
+        return homes.getOrDefault(connection.address().getPort(), connection.address());
+    }
+
+    private Optional<VehicleSnapshot> vehicle(int system) {
         return vehicles.stream()
-                .filter(vehicle -> vehicle.id().system() == system && atMs - vehicle.heardMs() <= HEARD_MS)
+                .filter(vehicle -> vehicle.id().system() == system)
                 .findFirst();
+    }
+
+    /** Whether a connection leads to a vehicle: it is heard on the link that it names, or anywhere where the session has found it on that link before. */
+    private boolean isReachedBy(VehicleConnection connection, VehicleSnapshot vehicle, long atMs) {
+        MavlinkAddress link = linkOf(connection);
+        boolean isHome = connection.address().equals(homes.get(vehicle.id().system()));
+        return vehicle.heardOn().stream()
+                .anyMatch(heard -> (isHome || heard.link().equals(link)) && atMs - heard.heardMs() <= HEARD_MS);
+    }
+
+    private boolean isOther(int system, MavlinkAddress link) {
+        return vehicle(system).filter(known -> known.others().contains(link)).isPresent();
     }
 
     private void look(Several all, long atMs) {
@@ -172,34 +214,47 @@ final class VehicleLink {
             several.remove(all);
             return;
         }
+        MavlinkAddress link = linkOf(all.connection);
         for (VehicleSnapshot vehicle : vehicles) {
-            if (isCommanded(vehicle) && all.found.add(vehicle.id().system())) {
-                all.connection.found(
-                        InetSocketAddress.createUnresolved(address, vehicle.id().system()));
+            int system = vehicle.id().system();
+            if (isCommanded(vehicle) && vehicle.links().contains(link) && all.found.add(system)) {
+                all.connection.found(homes.computeIfAbsent(
+                        system,
+                        first -> InetSocketAddress.createUnresolved(
+                                all.connection.address().getHostString(), system)));
             }
         }
-        if (all.found.isEmpty() && atMs > all.untilMs) {
+        boolean isOpen =
+                vehicles.stream().anyMatch(vehicle -> vehicle.unsettled().contains(link));
+        if (all.found.isEmpty() && atMs > all.untilMs + (isOpen ? RECOGNIZED_MS : 0)) {
             several.remove(all);
-            all.connection.end(whyNot("boat or copter", atMs));
+            all.connection.end(whyNot("boat or copter", link, atMs));
         }
     }
 
-    /** What is wrong with the link, such as that only MAVLink 1 is spoken on it. */
-    private Optional<String> fault() {
-        return base.links().stream().findFirst().flatMap(MavlinkLinkReport::fault);
+    private Optional<MavlinkLinkReport> report(MavlinkAddress link) {
+        return base.links().stream().filter(one -> one.address().equals(link)).findFirst();
     }
 
-    private String whyNot(String what, long atMs) {
-        Optional<MavlinkLinkReport> link = base.links().stream().findFirst();
-        Optional<String> refusal = vehicles.stream()
-                .filter(vehicle -> atMs - vehicle.heardMs() <= HEARD_MS)
+    /** What is wrong with a link, such as that only MAVLink 1 is spoken on it. */
+    private Optional<String> fault(MavlinkAddress link) {
+        return report(link).flatMap(MavlinkLinkReport::fault);
+    }
+
+    private String whyNot(String what, MavlinkAddress address, long atMs) {
+        Optional<MavlinkLinkReport> link = report(address);
+        List<VehicleSnapshot> there = vehicles.stream()
+                .filter(vehicle -> vehicle.heardOn().stream()
+                        .anyMatch(on -> on.link().equals(address) && atMs - on.heardMs() <= HEARD_MS))
+                .toList();
+        Optional<String> refusal = there.stream()
                 .flatMap(vehicle -> whyNot(vehicle).stream())
-                .findFirst();
-        if (fault().isPresent() || refusal.isPresent()) {
-            return fault().or(() -> refusal).get();
+                .findFirst()
+                .or(() -> another(address));
+        if (fault(address).isPresent() || refusal.isPresent()) {
+            return fault(address).or(() -> refusal).get();
         }
-        String others = vehicles.stream()
-                .filter(vehicle -> atMs - vehicle.heardMs() <= HEARD_MS)
+        String others = there.stream()
                 .map(vehicle -> vehicle.kind().word() + " " + vehicle.id())
                 .collect(Collectors.joining(", "));
         String refused = link.map(MavlinkLinkReport::refused).orElse(Map.of()).entrySet().stream()
@@ -210,6 +265,14 @@ final class VehicleLink {
         boolean isSilent = link.filter(one -> one.bytes() > 0).isEmpty();
         String nothing = isSilent ? "; nothing came: is this the port on which it speaks MAVLink, and is it on?" : "";
         return "no " + what + " is heard there" + nothing + (others.isEmpty() ? "" : ", only " + others) + refused;
+    }
+
+    private Optional<String> another(MavlinkAddress link) {
+        return vehicles.stream()
+                .filter(vehicle -> vehicle.others().contains(link))
+                .findFirst()
+                .map(vehicle -> "the vehicle there has the id " + vehicle.id() + ", as another one on "
+                        + vehicle.links().get(0) + ": give each vehicle a system id of its own");
     }
 
     /** Whether a vehicle is still carrying out an order. */

@@ -1,0 +1,11 @@
+package org.sami.mavlink.vehicle;
+
+import org.sami.mavlink.address.MavlinkAddress;
+
+/**
+ * How a vehicle is heard on a link.
+ *
+ * @param lost the part of its messages that did not come there lately, 0 to 1
+ * @param heardMs when it was heard there last, on the base's clock
+ */
+public record HeardLink(MavlinkAddress link, double lost, long heardMs) {}
