@@ -5,6 +5,8 @@ import type {AreaRow, BoatRow, DecisionRow, Labelled, LatLon, PlacedBoat, Shape}
 
 const COLORS = ['#E69F00', '#56B4E9', '#009E73', '#F0E442', '#0072B2', '#D55E00', '#CC79A7', '#882255', '#999933', '#6A5ACD', '#8C5A2B'];
 const SILENT_MS = 5000;
+const NAME_PX = 17; // the height of a name
+const MOST_ROWS = 6; // of names below one another
 
 export class Chart {
   chosen: (boat: string) => void;
@@ -62,6 +64,7 @@ export class Chart {
   watch() {
     const moved = () => (this.isMoved = true);
     this.map.on('dragstart', moved);
+    this.map.on('zoomend', () => this.spread());
     const place = this.map.getContainer();
     place.addEventListener('wheel', moved, {passive: true});
     place.querySelector('.leaflet-control-zoom')?.addEventListener('click', moved);
@@ -121,6 +124,7 @@ export class Chart {
         this.markers.delete(id);
       }
     }
+    this.spread();
     const shapes = JSON.stringify([link.all('areas'), link.all('paths')]);
     if (shapes !== this.drawn) {
       this.drawn = shapes;
@@ -148,7 +152,28 @@ export class Chart {
       points.push(...(area.shape.area ?? (area.shape.point ? [area.shape.point] : [])));
     }
     if (points.length > 0) {
-      this.map.fitBounds(L.latLngBounds(points).pad(0.3), {maxZoom: 18, animate: false});
+      this.map.fitBounds(L.latLngBounds(points).pad(0.3), {maxZoom: 19, animate: false});
+    }
+  }
+
+  /** Sets the names of boats that lie side by side below one another, so that none hides another. */
+  spread() {
+    const placed: {left: number, right: number, top: number}[] = [];
+    for (const {marker} of this.markers.values()) {
+      const name = marker.getElement()?.querySelector<HTMLElement>('.figure span');
+      if (!name) {
+        continue;
+      }
+      const {lat, lng} = marker.getLatLng();
+      const at = this.map.latLngToContainerPoint([lat, lng]);
+      const half = name.offsetWidth / 2;
+      const isHidden = (row: number) => placed.some((other) => other.left < at.x + half && at.x - half < other.right && Math.abs(other.top - at.y - row * NAME_PX) < NAME_PX);
+      let row = 0;
+      while (row < MOST_ROWS && isHidden(row)) {
+        row++;
+      }
+      placed.push({left: at.x - half, right: at.x + half, top: at.y + row * NAME_PX});
+      name.style.transform = row > 0 ? `translateY(${row * NAME_PX}px)` : '';
     }
   }
 

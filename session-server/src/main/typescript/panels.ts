@@ -64,7 +64,7 @@ export function missions(link: Link, actions: Actions) {
     const buttons = link.all('buttons').filter((one) => one.mission === mission.id);
     nodes.push(element('section', {class: 'mission'},
       element('h2', {}, mission.name),
-      element('p', {}, 'For ' + duration(link.now() - mission.since) + (mission.stuck ? '. ' + mission.stuck : '')),
+      element('p', {}, 'Runs for ' + duration(link.now() - mission.since) + (mission.stuck ? '. ' + mission.stuck : '')),
       phases(link.row('phases', mission.id), actions.refresh),
       ...buttons.map((one) => interrupt(link, actions, one)),
       link.may('start') ? abort(actions, mission) : null));

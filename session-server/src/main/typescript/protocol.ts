@@ -155,6 +155,13 @@ export interface FaultRow extends Row {
   text: string;
   advice: string;
   since: number;
+  kind: string;
+  subject: string;
+  details: string;
+  /** Empty where it is about none. */
+  boat: string;
+  /** '0' for none. */
+  mission: string;
 }
 
 export interface ButtonRow extends Row {

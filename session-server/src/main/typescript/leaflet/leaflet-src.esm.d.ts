@@ -13,6 +13,8 @@ export interface LatLngBounds {
 }
 
 export interface Point {
+  readonly x: number;
+  readonly y: number;
   distanceTo(other: Point): number;
 }
 
@@ -62,6 +64,7 @@ export interface Icon {
 export interface Marker extends Layer {
   setLatLng(at: Point2): this;
   getLatLng(): LatLng;
+  getElement(): HTMLElement | undefined;
   setIcon(icon: Icon): this;
   on(type: 'click', heard: (event: LeafletMouseEvent) => void): this;
   on(type: 'dragstart' | 'drag' | 'dragend', heard: () => void): this;

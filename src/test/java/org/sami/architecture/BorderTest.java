@@ -43,6 +43,7 @@ class BorderTest {
                 "BOAT_SERVER",
                 "CRW_SERVICES",
                 "CRW_DOMAIN",
+                "SESSION_API",
                 "CRW_SESSION"
             })
     void hasNoWindows(SamiModule module) {
@@ -56,7 +57,7 @@ class BorderTest {
     /** The lock rule (docs/threads.md): a window may call every public method of a model on its event thread. */
     @Test
     void modelsCallNothingThatWaits() {
-        JavaClasses classes = SamiModule.CRW_SESSION.classes();
+        JavaClasses classes = SamiModule.SESSION_API.classes();
         assertThat(classes.that(resideInAPackage("org.sami.crw.operator..")).size())
                 .as("classes seen among the models")
                 .isGreaterThan(20);
@@ -85,6 +86,16 @@ class BorderTest {
                 .should()
                 .haveModifier(JavaModifier.SYNCHRONIZED)
                 .check(classes);
+    }
+
+    /** Who reaches a session, and how, is its implementation's: programs use the module with a transport of their own. */
+    @Test
+    void whatFrontsAskAndSeeHasNoTransport() {
+        noClasses()
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage("java.net..", "javax.net..", "java.nio.channels..", "org.eclipse.jetty..")
+                .check(SamiModule.SESSION_API.classes());
     }
 
     @ParameterizedTest

@@ -19,7 +19,7 @@ class PlainTextInWindowsTest {
     /** What makes HTML of a text, or a tab's title of one that is not written in the source. */
     private static final Pattern HTML = Pattern.compile(
             "<html|html\\.disable|JEditorPane|JTextPane|swing\\.text\\.html|BasicHTML"
-                    + "|(addTab|insertTab|setTitleAt)\\(\\s*(?!\\s|\"|PlainTextUI\\.of\\()",
+                    + "|((addTab|insertTab)\\(|setTitleAt\\([^,]+,)\\s*(?!\\s|\"|PlainTextUI\\.of\\()",
             Pattern.CASE_INSENSITIVE);
 
     @Test
@@ -46,14 +46,20 @@ class PlainTextInWindowsTest {
                 "label.setText(\"<html>\" + name)",
                 "c.putClientProperty(\"html.disable\", false)",
                 "new JEditorPane()",
-                "tabs.addTab(mission.title(), view)"
+                "tabs.addTab(mission.title(), view)",
+                "tabs.setTitleAt(1, mission.title())"
             })
     void noticesWhatMakesHtmlOfAText(String source) {
         assertThat(HTML.matcher(source).find()).isTrue();
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"tabs.addTab(\"Plans\", plans)", "tabs.addTab(PlainTextUI.of(title), view)"})
+    @ValueSource(
+            strings = {
+                "tabs.addTab(\"Plans\", plans)",
+                "tabs.addTab(PlainTextUI.of(title), view)",
+                "tabs.setTitleAt(index, PlainTextUI.of(title))"
+            })
     void allowsTitlesThatAreKnown(String source) {
         assertThat(HTML.matcher(source).find()).isFalse();
     }

@@ -65,8 +65,9 @@ enum SamiModule {
     /** What helps to write plans. */
     SPN_AUTHORING(
             "spn-authoring",
-            215,
+            230,
             List.of(
+                    "org.sami.spn.advice..",
                     "org.sami.spn.drawing..",
                     "org.sami.spn.geotext..",
                     "org.sami.spn.legacy..",
@@ -106,15 +107,21 @@ enum SamiModule {
             26,
             List.of("org.sami.uav.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
+    /** What a front may ask a session and see of it, wherever it runs: no session, no transport. */
+    SESSION_API(
+            "session-api",
+            190,
+            List.of(
+                    "org.sami.crw.operator..",
+                    "org.sami.session.api..",
+                    "org.sami.session.follow..",
+                    "org.sami.session.record.."),
+            List.of(CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     CRW_SESSION(
             "crw-session",
-            260,
-            List.of(
-                    "org.sami.crw.judgement..",
-                    "org.sami.crw.operator..",
-                    "org.sami.crw.replay..",
-                    "org.sami.crw.session.."),
-            List.of(CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
+            120,
+            List.of("org.sami.crw.judgement..", "org.sami.crw.replay..", "org.sami.crw.session.."),
+            List.of(SESSION_API, CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** Colours, and pictures of nets, for windows, command and reports. */
     NET_PICTURE(
             "net-picture",
@@ -130,13 +137,21 @@ enum SamiModule {
                     "org.sami.session.person..",
                     "org.sami.session.rows..",
                     "org.sami.session.server.."),
-            List.of(CRW_SESSION, CRW_DOMAIN, CRW_SERVICES, NET_PICTURE, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
+            List.of(
+                    CRW_SESSION,
+                    SESSION_API,
+                    CRW_DOMAIN,
+                    CRW_SERVICES,
+                    NET_PICTURE,
+                    SPN_CORE,
+                    SPN_LANGUAGE,
+                    BOAT_LINK)),
     /** A session in another process, for fronts here. */
     SESSION_CLIENT(
             "session-client",
             28,
             List.of("org.sami.session.client.."),
-            List.of(CRW_SESSION, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
+            List.of(SESSION_API, CRW_DOMAIN, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** The course: its content, the grading of quizzes and jobs, and what learners have done. No window, no boat. */
     LESSONS("lessons", 180, List.of("org.sami.lessons.."), List.of(NET_PICTURE, SPN_AUTHORING, SPN_CORE, SPN_LANGUAGE)),
     /** Reports of runs and logs of boats. Of the boat server it uses the geometry of its local frame. */
@@ -144,7 +159,15 @@ enum SamiModule {
             "crw-report",
             118,
             List.of("org.sami.crw.log..", "org.sami.crw.report.."),
-            List.of(CRW_SESSION, CRW_DOMAIN, CRW_SERVICES, NET_PICTURE, BOAT_SERVER, SPN_CORE, SPN_LANGUAGE)),
+            List.of(
+                    CRW_SESSION,
+                    SESSION_API,
+                    CRW_DOMAIN,
+                    CRW_SERVICES,
+                    NET_PICTURE,
+                    BOAT_SERVER,
+                    SPN_CORE,
+                    SPN_LANGUAGE)),
     /** Knows the link too: both ends that its pipe joins, the proxy and the server, have the link's types in their signatures. */
     CRW_SIM(
             "crw-sim",
@@ -153,6 +176,7 @@ enum SamiModule {
             List.of(
                     CRW_REPORT,
                     CRW_SESSION,
+                    SESSION_API,
                     CRW_DOMAIN,
                     CRW_SERVICES,
                     BOAT_HULL,
@@ -161,13 +185,13 @@ enum SamiModule {
                     SPN_CORE,
                     SPN_LANGUAGE)),
     /** Vehicles of other makers: links, what they report, what they hold. No boats of ours, no plans. */
-    MAVLINK("mavlink", 132, List.of("org.sami.mavlink.."), List.of()),
+    MAVLINK("mavlink", 145, List.of("org.sami.mavlink.."), List.of()),
     /** Our boats in ground stations of other makers: a client of the boat's server that speaks MAVLink for it. */
-    BOAT_MAVLINK("boat-mavlink", 13, List.of("org.sami.boat.mavlink.."), List.of(MAVLINK, BOAT_SERVER, BOAT_LINK)),
+    BOAT_MAVLINK("boat-mavlink", 24, List.of("org.sami.boat.mavlink.."), List.of(MAVLINK, BOAT_SERVER, BOAT_LINK)),
     /** Vehicles of other makers as boats of a base: speaks the boat link for them. */
     CRW_MAVLINK(
             "crw-mavlink",
-            48,
+            54,
             List.of("org.sami.crw.mavlink.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, MAVLINK, BOAT_SERVER, BOAT_LINK, SPN_LANGUAGE)),
     /** The command crw. */
@@ -184,6 +208,7 @@ enum SamiModule {
                     SESSION_SERVER,
                     CRW_REPORT,
                     CRW_SESSION,
+                    SESSION_API,
                     CRW_DOMAIN,
                     CRW_SERVICES,
                     LESSONS,
@@ -217,6 +242,7 @@ enum SamiModule {
                     CRW_SIM,
                     SESSION_CLIENT,
                     CRW_SESSION,
+                    SESSION_API,
                     CRW_DOMAIN,
                     CRW_SERVICES,
                     BOAT_LINK,

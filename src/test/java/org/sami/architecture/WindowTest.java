@@ -71,7 +71,7 @@ class WindowTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"CRW_SESSION, org.sami.crw.operator..", "CRW_DOMAIN, org.sami.crw.decision.."})
+    @CsvSource({"SESSION_API, org.sami.crw.operator..", "CRW_DOMAIN, org.sami.crw.decision.."})
     void modelsThatWindowsShowKnowNoWindow(SamiModule module, String models) {
         JavaClasses classes = module.classes().that(resideInAnyPackage(models));
 

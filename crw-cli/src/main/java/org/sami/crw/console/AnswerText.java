@@ -56,11 +56,12 @@ final class AnswerText {
             lines.add("the number of an option, or none");
             return lines;
         }
-        return ((Question.FillIn) question)
+        List<String> values = ((Question.FillIn) question)
                 .items().stream()
                         .filter(Question.Item::editable)
                         .map(this::form)
                         .toList();
+        return values.isEmpty() ? List.of("its number alone: it is done") : values;
     }
 
     private static String named(OfferedOption option) {

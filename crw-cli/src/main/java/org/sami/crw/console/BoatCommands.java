@@ -13,7 +13,7 @@ import org.sami.crw.operator.boat.FleetRows;
 import org.sami.crw.operator.boat.FleetStopState;
 import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.FrontFleet;
+import org.sami.session.api.FrontFleet;
 import org.sami.spn.value.GeoPoint;
 
 /** Commands about boats: which there are, and what a person does with them by hand. */
@@ -54,6 +54,12 @@ final class BoatCommands {
                         "watch BOAT",
                         "Only watches a boat: another base may command it.",
                         carriedOut(FrontFleet::handOver, "watched only")),
+                ConsoleCommand.of(
+                        "lost-link [ACTION|nothing|set]",
+                        "Says what boats do when their link is lost, and what the session wishes; changes the wish, or"
+                                + " sets it on the boats that do something else.",
+                        new LostLinkCommand(context)::run,
+                        words -> LostLinkCommand.words()),
                 withBoat("give BOAT CLIENT", "Gives a boat's command to another base.", this::give),
                 withBoat(
                         "drive BOAT THRUST RUDDER [SECONDS]",
@@ -135,12 +141,10 @@ final class BoatCommands {
 
     private void connect(Arguments arguments, Consumer<String> out) {
         List<BoatAddress> addresses = new ArrayList<>();
-        for (String word : arguments.next("address").split(",")) {
-            try {
-                addresses.add(BoatAddress.parse(word));
-            } catch (IllegalArgumentException unfit) {
-                throw new ConsoleFault(String.valueOf(unfit.getMessage()));
-            }
+        try {
+            addresses.addAll(BoatAddress.parseAll(arguments.next("address")));
+        } catch (IllegalArgumentException unfit) {
+            throw new ConsoleFault(String.valueOf(unfit.getMessage()));
         }
         arguments.end();
         for (BoatAddress address : addresses) {

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.sami.crw.session.FrontSession;
+import org.sami.session.api.FrontSession;
 import org.sami.spn.finding.Suggestions;
 
 /**

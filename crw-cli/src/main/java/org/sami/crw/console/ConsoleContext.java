@@ -11,9 +11,9 @@ import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.mission.MissionSnapshot;
-import org.sami.crw.session.FrontSession;
-import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
+import org.sami.session.api.FrontSession;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.Registration;
 import org.sami.spn.model.Plan;
@@ -73,7 +73,7 @@ final class ConsoleContext implements AutoCloseable {
      * @param what is there only, for the fault
      */
     Session inProcess(String what) {
-        return session.inProcess()
+        return Session.inProcess(session)
                 .orElseThrow(() -> new ConsoleFault("not from here: " + what + " the machine of the session"));
     }
 

@@ -16,6 +16,7 @@ import org.sami.crw.operator.mission.EngineText;
 import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.crw.session.Session;
 import org.sami.crw.session.archive.SavedGlobals;
 import org.sami.crw.session.fault.BoatsAtFault;
 import org.sami.crw.sim.run.settings.ValueText;
@@ -56,7 +57,8 @@ final class SessionCommands {
                 ConsoleCommand.of("load FILE", "Loads a project; running missions keep their plans.", this::load),
                 ConsoleCommand.of(
                         "wait decision|alarm|ended|tasks|boats N|SECONDS [within SECONDS]",
-                        "Waits until something is asked, something is wrong, no mission runs, boats have tasks, N boats are linked and tell where they are, or for a time.",
+                        "Waits until something is asked, something is wrong, no mission runs, boats have tasks, N"
+                                + " boats are linked and tell where they are, or for a time.",
                         this::await,
                         words -> words.size() > 1
                                 ? List.of("within")
@@ -80,7 +82,7 @@ final class SessionCommands {
                         words -> commandNames()),
                 ConsoleCommand.of(
                         "quit",
-                        context.session().inProcess().isPresent()
+                        Session.inProcess(context.session()).isPresent()
                                 ? "Stops the boats of all missions, as far as links stand, and ends."
                                 : "Leaves the session, which goes on.",
                         this::quit));

@@ -66,6 +66,39 @@ class CheckCommandTest {
     }
 
     @Test
+    void deepSearchOnTheEngineEndsWithItsBudgetAndSaysSo() throws Exception {
+        long begin = System.nanoTime();
+
+        CommandResult ran = CommandResult.crw("check", "clv", "--deep", "--boats", "5", "--budget", "0.2");
+        JsonNode json = new ObjectMapper()
+                .readTree(CommandResult.crw("check", "clv", "--deep", "--boats", "5", "--budget", "0.2", "--json")
+                        .out());
+
+        assertThat(ran.out()).contains("clv: bounded search only, as 0.2 s were used up. Of the first ");
+        assertThat(json.get("deep").get(0).get("timeUsedUp").asBoolean()).isTrue();
+        assertThat(System.nanoTime() - begin).isLessThan(60_000_000_000L);
+    }
+
+    @Test
+    void eachFindingSaysWhyItMattersAndHowToMendItWhereThatIsAsked() throws Exception {
+        Path file = mistaken("\"type\": \"ProxyExecutePath\"", "\"type\": \"ProxyExecutPath\"");
+
+        assertThat(CommandResult.crw("check", file.toString()).out()).doesNotContain("why: ");
+        assertThat(CommandResult.crw("check", file.toString(), "--explain")
+                        .out()
+                        .lines())
+                .contains(
+                        "    why: The domain has no such event: nobody can carry it out or send it.",
+                        "    mend: Choose an event of the domain, or correct the name.");
+        JsonNode finding = new ObjectMapper()
+                .readTree(CommandResult.crw("check", file.toString(), "--json").out())
+                .get("findings")
+                .get(0);
+        assertThat(finding.get("why").asText()).startsWith("The domain has no such event");
+        assertThat(finding.get("mend").asText()).startsWith("Choose an event of the domain");
+    }
+
+    @Test
     void whatTheReaderRefusesIsToldWithFileLineColumnAndElement() throws Exception {
         Path file = mistaken("\"type\": \"ProxyExecutePath\"", "\"type\": \"ProxyExecutPath\"");
 

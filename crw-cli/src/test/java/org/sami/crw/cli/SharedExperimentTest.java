@@ -12,7 +12,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -56,6 +55,12 @@ class SharedExperimentTest {
             "--jobs",
             "1");
 
+    /** How often a worker may make a run to its end between two looks at it, on a machine that has much else to do. */
+    private static final int MOST_ATTEMPTS = 10;
+
+    /** Processes that start side by side on such a machine. */
+    private static final double END_WITHIN_S = 600;
+
     private static final String BEGUN =
             "SELECT count(*) FROM runs WHERE result IS NULL AND worker IS NOT NULL" + " AND ends > clock_timestamp()";
 
@@ -86,8 +91,24 @@ class SharedExperimentTest {
                 .start();
     }
 
-    private static void end(Process process) throws InterruptedException {
-        assertThat(process.waitFor((long) Await.AT_MOST_S, TimeUnit.SECONDS)).isTrue();
+    private static void end(Process process) {
+        Await.until("it ends", END_WITHIN_S, () -> !process.isAlive());
+    }
+
+    /** Leaves behind what a worker leaves that is killed in the middle of a run. */
+    private void killInARun() throws Exception {
+        for (int attempt = 1; ; attempt++) {
+            Process killed = start(shared(TABLE, "killed"), "killed");
+            Await.until("a run is under way", END_WITHIN_S, () -> count(BEGUN) > 0 || !killed.isAlive());
+            killed.destroyForcibly().waitFor();
+            if (count("SELECT count(*) FROM runs WHERE result IS NULL AND begun = 1") == 1) {
+                return;
+            }
+            assertThat(attempt)
+                    .as(Files.readString(folder.resolve("killed.err")))
+                    .isLessThan(MOST_ATTEMPTS);
+            TestDatabase.run(address, "UPDATE runs SET result = NULL, begun = 0, worker = NULL, ends = '-infinity'");
+        }
     }
 
     private long count(String sql) {
@@ -111,11 +132,7 @@ class SharedExperimentTest {
     @Test
     void twoWorkersMakeTheFilesOfOneWhereAThirdWasKilledInARun() throws Exception {
         run(with(TABLE, "alone"));
-        Process killed = start(shared(TABLE, "killed"), "killed");
-        Await.until("a run is under way", () -> count(BEGUN) > 0);
-        killed.destroyForcibly().waitFor();
-        assertThat(count("SELECT count(*) FROM runs WHERE result IS NULL AND begun = 1"))
-                .isEqualTo(1);
+        killInARun();
 
         Process one = start(shared(TABLE, "one"), "one");
         Process other = start(shared(TABLE, "other"), "other");
@@ -140,7 +157,8 @@ class SharedExperimentTest {
     void whatAWorkerMadeBeforeItWasStoppedIsKeptAndTheNextCallGoesOn() throws Exception {
         run(with(MISSIONS, "alone.csv"));
         Process stopped = start(shared(MISSIONS, "stopped.csv"), "stopped");
-        Await.until("a run is made", () -> count("SELECT count(result) FROM runs") > 0);
+        Await.until(
+                "a run is made", END_WITHIN_S, () -> count("SELECT count(result) FROM runs") > 0 || !stopped.isAlive());
         stopped.destroy();
         end(stopped);
         long made = count("SELECT count(result) FROM runs");

@@ -46,6 +46,7 @@ class ThirdPartyNoticeTest {
             "pair-postgres",
             "petri",
             "server",
+            "session-api",
             "session-client",
             "session-server",
             "spn-authoring",

@@ -91,14 +91,14 @@ class AnswerTextTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            approve | maybe      | 'maybe' is no answer here; expected is yes or no
-            approve | ''         | an answer is missing; expected is yes or no
-            options | 0          | '0' is no answer here
-            options | 3          | the number of an option, or none
-            form    | pace=1     | 'pace=1' is no answer here
-            form    | fixed=y    | 'fixed=y' is no answer here
-            form    | speed=fast | speed cannot be 'fast': expected is a number such as 2.5
-            """)
+        approve | maybe      | 'maybe' is no answer here; expected is yes or no
+        approve | ''         | an answer is missing; expected is yes or no
+        options | 0          | '0' is no answer here
+        options | 3          | the number of an option, or none
+        form    | pace=1     | 'pace=1' is no answer here
+        form    | fixed=y    | 'fixed=y' is no answer here
+        form    | speed=fast | speed cannot be 'fast': expected is a number such as 2.5
+        """)
     void whatIsNoAnswerIsNamedWithWhatIsExpected(String which, String line, String message) {
         Question question = switch (which) {
             case "approve" -> APPROVE;
@@ -109,6 +109,16 @@ class AnswerTextTest {
         assertThatThrownBy(() -> read(question, line))
                 .isInstanceOf(ConsoleFault.class)
                 .hasMessageContaining(message);
+    }
+
+    @Test
+    void workWithoutValuesIsAnsweredByItsNumberAlone() {
+        Question swap = new Question.FillIn(
+                List.of(item("question", ValueType.Simple.TEXT, Optional.of(new TextValue("Swap them")), false)));
+
+        assertThat(answers.form(shown(swap))).containsExactly("its number alone: it is done");
+        assertThat(read(swap, "")).isEqualTo(new Answer.Fields(Map.of()));
+        assertThatThrownBy(() -> read(swap, "yes")).hasMessageContaining("its number alone");
     }
 
     @Test

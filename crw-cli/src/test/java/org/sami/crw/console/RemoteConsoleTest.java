@@ -10,11 +10,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
+import org.sami.boat.link.security.Identity;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.cli.CommandResult;
@@ -124,6 +128,26 @@ class RemoteConsoleTest {
     }
 
     @Test
+    void whatIsWishedWithoutALinkIsSaidChangedAndSetFromElsewhere() throws Exception {
+        CommandResult ran = console(
+                "operator", "wait boats 1", "lost-link", "lost-link return", "lost-link set", "lost-link", "quit");
+
+        assertThat(ran.err()).isEmpty();
+        assertThat(ran.exitCode()).isZero();
+        assertThat(ran.out())
+                .containsSubsequence(
+                        "nothing is wished",
+                        "bo holds its place",
+                        "wished: without a link a boat returns to its home",
+                        "bo holds its place: set it, this session wishes that it returns to its home",
+                        "bo is set, as it has confirmed",
+                        "bo returns to its home");
+        assertThat(session.fleet().lostLinkWish()).contains(LostLinkAction.RETURN);
+        assertThat(console("observer", "lost-link drift").out())
+                .contains("crw: The role observer of observer does not have the right 'setup'");
+    }
+
+    @Test
     void whatTheRoleOrThePlaceDoesNotAllowIsSaidInOneLine() throws Exception {
         CommandResult ran = console("observer", "wait boats 1", "start clv", "fence none", "on-fault", "stop all");
 
@@ -133,6 +157,36 @@ class RemoteConsoleTest {
                 .contains("crw: not from here: the fence is set on the machine of the session")
                 .contains("crw: not from here: what boats do on a fault is set on the machine of the session")
                 .contains("FLEET STOP: bo");
+    }
+
+    @Test
+    void certificateThatNobodyComparedIsNamedWithTheOptionThatTakesIt() throws Exception {
+        ServerAddress secured =
+                new ServerAddress(InetAddress.getLoopbackAddress(), 0, Optional.of(Identity.generate()));
+        PeopleFile people = new PeopleFile(folder.resolve("people"));
+        try (SessionServer second = SessionServer.start(session, people, secured)) {
+            String authority = "127.0.0.1:" + second.listensAt().getPort();
+            String print = second.certificate().orElseThrow();
+            String[] command = {
+                "session",
+                "--session",
+                "wss://" + authority,
+                "--person",
+                "operator",
+                "--key-file",
+                folder.resolve("operator").toString()
+            };
+
+            CommandResult first = CommandResult.crw(command);
+            CommandResult other =
+                    CommandResult.crw(Stream.concat(Stream.of(command), Stream.of("--certificate", "00:11"))
+                            .toArray(String[]::new));
+
+            assertThat(first.err())
+                    .contains(authority + " is connected to for the first time", "--certificate " + print);
+            assertThat(other.err()).contains("--certificate: that of " + authority + " has another SHA-256, " + print);
+            assertThat(List.of(first.exitCode(), other.exitCode())).containsOnly(2);
+        }
     }
 
     @Test

@@ -17,9 +17,7 @@ import org.sami.crw.gui.start.DataDirectory;
 import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.gui.window.OperatorWindow;
 import org.sami.crw.proxy.status.LinkState;
-import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
-import org.sami.crw.sim.bench.FleetProcess;
 import org.sami.figures.Figure;
 import org.sami.figures.FigureFile;
 import org.sami.palette.Theme;
@@ -33,17 +31,19 @@ import org.sami.ui.EventThread;
  * are shown as they lie at first.
  */
 final class LatencyBenchmark {
-    private static final String NAME = "window.latency";
+    private static final String NAME = "window.latency"; // of the largest fleet; others add a word of theirs
     private static final String PLAN = "station-keep";
     private static final long PROBE_EVERY_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
     private static final int PATIENCE_S = 180;
     private static final int SETTLE_S = 10;
 
+    private final String name;
     private final int boats;
     private final int missions;
     private final int seconds;
 
-    private LatencyBenchmark(int boats, int missions, int seconds) {
+    private LatencyBenchmark(String kind, int boats, int missions, int seconds) {
+        this.name = kind.isEmpty() ? NAME : NAME + "." + kind;
         this.boats = boats;
         this.missions = missions;
         this.seconds = seconds;
@@ -52,18 +52,21 @@ final class LatencyBenchmark {
     /**
      * Measures.
      *
-     * @param args boats, missions, seconds
+     * @param args boats, missions, seconds, and for a further measurement {@code ours} or {@code vehicles}, which speak MAVLink
      */
     public static void main(String[] args) throws Exception {
-        LatencyBenchmark benchmark =
-                new LatencyBenchmark(Integer.parseInt(args[0]), Integer.parseInt(args[1]), Integer.parseInt(args[2]));
+        String kind = args.length > 3 ? args[3] : "";
+        LatencyBenchmark benchmark = new LatencyBenchmark(
+                kind, Integer.parseInt(args[0]), Integer.parseInt(args[1]), Integer.parseInt(args[2]));
         try (TemporaryFolder folder = new TemporaryFolder("window-latency")) {
-            benchmark.run(folder.path());
+            System.setProperty(
+                    "sami.vehicles", folder.path().resolve("vehicles").toString()); // no user's
+            benchmark.run(folder.path(), kind.equals("vehicles"));
         }
         System.exit(0);
     }
 
-    private void run(Path folder) throws Exception {
+    private void run(Path folder, boolean vehicles) throws Exception {
         CompletableFuture<Integer> ended = new CompletableFuture<>();
         Path project = folder.resolve("project.json");
         DomainLibrary library =
@@ -72,17 +75,18 @@ final class LatencyBenchmark {
                 project,
                 new ProjectWriter(library.vocabulary())
                         .text(library.projectOf(PLAN).orElseThrow()));
-        try (FleetProcess fleet = new FleetProcess(boats)) {
-            List<BoatAddress> addresses = fleet.addresses().stream()
-                    .map(at -> new BoatAddress(at.getAddress().getHostAddress(), at.getPort()))
-                    .toList();
+        try (BenchmarkFleet fleet = vehicles ? BenchmarkFleet.vehicles(boats) : BenchmarkFleet.ours(boats)) {
             StartOptions options = new StartOptions(
-                    addresses, Optional.of(project), Optional.of(Theme.LIGHT), Optional.of(100), Optional.of(false));
+                    fleet.addresses(),
+                    Optional.of(project),
+                    Optional.of(Theme.LIGHT),
+                    Optional.of(100),
+                    Optional.of(false));
             OperatorWindow window =
                     WindowStart.open(options, DataDirectory.open(folder.resolve("data")), ended::complete);
             Session session = window.session();
             await("all boats are linked", () -> linked(session) == boats);
-            session.execute(() -> session.addOperator(new SharingOperator(session, missions)));
+            session.execute(() -> session.addOperator(new SharingOperator(session, missions, fleet.pier())));
             for (int i = 1; i <= missions; i++) {
                 session.start(PLAN, "mission " + i, Map.of());
             }
@@ -91,7 +95,7 @@ final class LatencyBenchmark {
                     () -> session.models().fleet().snapshot().stream()
                             .allMatch(boat -> boat.command().isPresent()));
             probe(SETTLE_S);
-            figures(probe(seconds));
+            figures(probe(seconds), fleet.hz());
             int running = session.models().missions().snapshot().running().size();
             if (running < missions) {
                 throw new IllegalStateException("only " + running + " missions ran to the end of the measurement");
@@ -148,16 +152,16 @@ final class LatencyBenchmark {
         return new Probed(all, worked / (System.nanoTime() - start));
     }
 
-    private void figures(Probed probed) throws Exception {
-        Map<String, Integer> params = Map.of("boats", boats, "hz", 10, "missions", missions);
+    private void figures(Probed probed, int hz) throws Exception {
+        Map<String, Integer> params = Map.of("boats", boats, "hz", hz, "missions", missions);
         List<Figure> figures = List.of(
-                new Figure(NAME, params, ms(probed, Wait::nanos, 0.5), "ms, event thread, median", 0),
-                new Figure(NAME, params, ms(probed, Wait::nanos, 0.99), "ms, event thread, p99", 0),
-                new Figure(NAME, params, ms(probed, Wait::nanos, 1), "ms, event thread, most", 0),
-                new Figure(NAME, params, ms(probed, Wait::cpuNanos, 0.99), "ms of its CPU time, p99", 0),
-                new Figure(NAME, params, probed.busy(), "of one core, event thread", 0));
+                new Figure(name, params, ms(probed, Wait::nanos, 0.5), "ms, event thread, median", 0),
+                new Figure(name, params, ms(probed, Wait::nanos, 0.99), "ms, event thread, p99", 0),
+                new Figure(name, params, ms(probed, Wait::nanos, 1), "ms, event thread, most", 0),
+                new Figure(name, params, ms(probed, Wait::cpuNanos, 0.99), "ms of its CPU time, p99", 0),
+                new Figure(name, params, probed.busy(), "of one core, event thread", 0));
         FigureFile.print(figures);
-        FigureFile.replace(FigureFile.ofThisBuild(), NAME, figures);
+        FigureFile.replace(FigureFile.ofThisBuild(), name, figures);
     }
 
     private static double ms(Probed probed, ToLongFunction<Wait> what, double part) {

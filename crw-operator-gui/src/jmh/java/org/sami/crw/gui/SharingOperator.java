@@ -7,9 +7,9 @@ import org.sami.crw.decision.DefaultAnswers;
 import org.sami.crw.decision.SimulatedOperator;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionOperator;
-import org.sami.crw.sim.bench.FleetProcess;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.GeoPoint;
 
 /** Gives each mission an equal share of the boats, never ends one, and leaves all other questions to the simulated operator. */
 final class SharingOperator implements SessionOperator {
@@ -19,13 +19,11 @@ final class SharingOperator implements SessionOperator {
     private final int missions;
     private final SimulatedOperator simulated;
 
-    SharingOperator(Session session, int missions) {
+    SharingOperator(Session session, int missions, GeoPoint pier) {
         this.session = session;
         this.missions = missions;
         simulated = new SimulatedOperator(
-                session.setup().vocabulary(),
-                new DefaultAnswers(FleetProcess.PIER, FleetProcess.PIER, AREA_M, 1, 1),
-                AnswersFile.EMPTY);
+                session.setup().vocabulary(), new DefaultAnswers(pier, pier, AREA_M, 1, 1), AnswersFile.EMPTY);
     }
 
     @Override

@@ -29,6 +29,8 @@ public final class WindowBenchmarkMain {
         boolean quick = Boolean.getBoolean("quick");
         start(quick ? 3 : 10);
         run(LatencyBenchmark.class, "250", "50", quick ? "15" : "60");
+        run(LatencyBenchmark.class, "25", "5", quick ? "10" : "60", "ours");
+        run(LatencyBenchmark.class, "25", "5", quick ? "10" : "60", "vehicles");
         run(WindowGrowthBenchmark.class, "25", quick ? "1" : "8");
     }
 

@@ -4,10 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.JComponent;
+import javax.swing.JList;
+import javax.swing.JTabbedPane;
 import javax.swing.JTable;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -15,6 +20,9 @@ import org.sami.crw.gui.start.StartOptions;
 import org.sami.palette.Theme;
 import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
+import org.sami.ui.dock.DockArea;
+import org.sami.ui.dock.DockPanel;
+import org.sami.ui.look.Look;
 
 /** The operator's window on the second domain: five simulated copters, the aircraft's plans, and their words on its panels and commands. */
 @Tag("window")
@@ -40,14 +48,56 @@ class CopterWindowTest {
                     .toList());
             assertThat(columns).contains("Copter", "Altitude");
 
-            int below = WindowRobot.ask(() -> table().getLocationOnScreen().y);
+            JTable lines = table();
+            int below = WindowRobot.ask(() -> lines.getLocationOnScreen().y);
             WindowRobot.ask(() -> {
                 opened.window().commands().get("arrangement-aims").run();
                 return true;
             });
+            JList<?> cards = robot.find(JList.class, "boat-cards");
             robot.until(
-                    "the copters stand at the top left",
-                    () -> table().isShowing() && table().getLocationOnScreen().y < below);
+                    "the copters stand at the top left, each with its newest picture",
+                    () -> cards.isShowing()
+                            && cards.getLocationOnScreen().y < below
+                            && cards.getModel().getSize() == 5);
+            assertThat(lines.isShowing()).isFalse();
+            assertThat(tabsWith("missions")).containsExactly("Plan", "Gantt", "Detect", "Decisions");
+
+            opened.window().session().start("search", "search", Map.of());
+            WindowRobot.ask(() -> {
+                opened.window().commands().get("panel-gantt").run();
+                return true;
+            });
+            JComponent chart = robot.find(JComponent.class, "gantt-chart");
+            robot.until(
+                    "the chart has the mission and its phases",
+                    () -> chart.isShowing()
+                            && chart.getAccessibleContext()
+                                    .getAccessibleDescription()
+                                    .equals("Search of an area; Get locations; Task assignment; Task execution"));
+
+            WindowRobot.ask(() -> {
+                Look.apply(Theme.LIGHT, 150);
+                return true;
+            });
+            JComponent map = robot.find(DockPanel.class, "map");
+            JComponent all = robot.find(DockArea.class, "dock-area");
+            robot.until("the map has all of the height", () -> map.getHeight() > 0.8 * all.getHeight());
+            robot.until("the chart is still in front", chart::isShowing);
+            WindowRobot.ask(() -> {
+                Look.apply(Theme.LIGHT, 100);
+                opened.window().commands().get("mission-abort").run();
+                return true;
+            });
+            robot.untilShown("mission-ending"); // in front of the chart, to be read before it is confirmed
+
+            WindowRobot.ask(() -> {
+                opened.window().commands().get("arrangement-first").run();
+                return true;
+            });
+            assertThat(tabsWith("map")).containsExactly("Map", "Pictures", "Gantt");
+            assertThat(robot.find(DockPanel.class, "missions").title()).isEqualTo("Missions");
+            robot.until("the copters are a line each again", () -> lines.isShowing() && !cards.isShowing());
         }
     }
 
@@ -85,6 +135,16 @@ class CopterWindowTest {
                 Optional.empty(),
                 StartOptions.Near.WHEN_ASKED,
                 domain);
+    }
+
+    private List<String> tabsWith(String panel) throws Exception {
+        DockPanel shown = robot.find(DockPanel.class, panel);
+        return WindowRobot.ask(() -> {
+            JTabbedPane tabs = (JTabbedPane) SwingUtilities.getAncestorOfClass(JTabbedPane.class, shown);
+            return IntStream.range(0, tabs.getTabCount())
+                    .mapToObj(tabs::getTitleAt)
+                    .toList();
+        });
     }
 
     private JTable table() {

@@ -25,7 +25,6 @@ import org.sami.boat.link.security.Identity;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.LinkedBoat;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.archive.SessionJournal;
@@ -33,6 +32,7 @@ import org.sami.crw.session.file.LogFetch;
 import org.sami.crw.session.file.LogRow;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
+import org.sami.session.api.LinkedBoat;
 import org.sami.session.client.KnownServers;
 import org.sami.session.client.Login;
 import org.sami.session.client.PersonRights;
@@ -45,7 +45,9 @@ import org.sami.session.person.Person;
 import org.sami.session.person.PersonKey;
 import org.sami.session.person.PersonRole;
 import org.sami.session.server.ServerAddress;
+import org.sami.session.server.SessionBases;
 import org.sami.session.server.SessionServer;
+import org.sami.session.server.StandbyServer;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.ProjectWriter;
 import org.sami.spn.model.Project;
@@ -107,8 +109,15 @@ class RemoteLogsTest {
     }
 
     private SessionServer serveAt(int port) throws Exception {
-        return SessionServer.start(
-                session, people, new ServerAddress(InetAddress.getLoopbackAddress(), port, Optional.of(identity)));
+        return serveAt(port, SessionBases.NONE);
+    }
+
+    private SessionServer serveAt(int port, SessionBases bases) throws Exception {
+        return SessionServer.start(session, people, at(port), Optional.empty(), bases);
+    }
+
+    private ServerAddress at(int port) {
+        return new ServerAddress(InetAddress.getLoopbackAddress(), port, Optional.of(identity));
     }
 
     /** Only logs count here. */
@@ -188,6 +197,35 @@ class RemoteLogsTest {
             assertThat(ask(fetch, LogFetch::isBad)).isFalse();
             assertThat(folder.resolve("here/anna/anna.log.000001"))
                     .hasSameBinaryContentAs(folder.resolve("boats/anna.log.000001"));
+        }
+    }
+
+    @Test
+    void fetchGoesOnAtTheBaseThatTakesTheSessionOver() throws Exception {
+        server.close();
+        try (StandbyServer standby = StandbyServer.start(people, at(0), Optional.empty(), SessionBases.NONE)) {
+            standby.say("the session is held by laptop-1");
+            int other = standby.listensAt().getPort();
+            server = serveAt(
+                    0,
+                    SessionBases.parse(List.of("wss://127.0.0.1:" + other + "="
+                            + standby.certificate().orElseThrow())));
+            try (RemoteSession paul = open("paul")) {
+                List<LinkedBoat> boats = boats(paul);
+                server.close();
+                LogFetch fetch = begin(paul, boats);
+                Await.until(
+                        "no answer is said",
+                        () -> ask(fetch, LogFetch::rows).get(0).state() == LogRow.State.NO_ANSWER);
+
+                standby.close();
+                server = serveAt(other);
+
+                Await.until("it has ended", () -> !ask(fetch, LogFetch::isRunning));
+                assertThat(ask(fetch, LogFetch::said)).isEqualTo("Logs of anna are in " + folder.resolve("here"));
+                assertThat(folder.resolve("here/anna/anna.log.000001"))
+                        .hasSameBinaryContentAs(folder.resolve("boats/anna.log.000001"));
+            }
         }
     }
 

@@ -11,12 +11,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.ProcessClock;
@@ -79,6 +83,19 @@ class RemoteWindowTest {
                     "the answer has arrived",
                     () -> session.models().decisions().snapshot().isEmpty());
 
+            opened.run("arrangement-aims");
+            JList<?> cards = robot.find(JList.class, "boat-cards");
+            robot.until("boats stand on the left with their pictures", cards::isShowing);
+            opened.run("panel-gantt");
+            JComponent chart = robot.find(JComponent.class, "gantt-chart");
+            robot.until(
+                    "the mission is seen over time",
+                    () -> chart.isShowing()
+                            && chart.getAccessibleContext()
+                                    .getAccessibleDescription()
+                                    .startsWith("Talk"));
+            opened.run("arrangement-first");
+
             opened.run("fleet-stop");
             robot.until(
                     "the fleet is stopped",
@@ -136,7 +153,9 @@ class RemoteWindowTest {
                             "boat-set-heading",
                             "boat-set-speed",
                             "boat-set-velocity",
-                            "boat-set-lost-link");
+                            "boat-set-lost-link",
+                            "boat-set-lost-link-wish",
+                            "boat-set-wished-lost-link");
             assertThat(window.commands().get("fleet-stop").isEnabled()).isTrue();
             assertThat(opened.end()).isZero();
         }
@@ -192,6 +211,19 @@ class RemoteWindowTest {
                 return true;
             });
             robot.until("it is taken", () -> said(robot, "boat-velocity-now").equals("in force: 0.5   ✓ taken"));
+
+            JComboBox<?> wish = robot.find(JComboBox.class, "boat-lost-link-wish");
+            WindowRobot.ask(() -> {
+                wish.setSelectedItem(LostLinkAction.RETURN);
+                window.commands().get("boat-set-lost-link-wish").run();
+                return true;
+            });
+            robot.until(
+                    "the session wishes it",
+                    () -> said(robot, "boat-lost-link-wish-now").equals("in force: returns to its home   ✓ taken"));
+            opened.run("boat-set-wished-lost-link");
+            robot.until(
+                    "the boat does it", () -> said(robot, "boat-lost-link-now").startsWith("in force: returns"));
 
             Files.writeString(
                     served.people().file(),

@@ -36,6 +36,7 @@ import org.sami.crw.gui.start.StartOptions;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.session.Session;
 import org.sami.palette.Theme;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.protocol.Answer;
 import org.sami.ui.check.RealDisplay;
@@ -87,7 +88,7 @@ class ReplayWindowTest {
                 Optional.of(Theme.LIGHT),
                 Optional.of(100),
                 Optional.empty(),
-                Optional.of(journal),
+                Optional.of(JournalAddress.of(journal)),
                 Optional.empty());
         WindowStart.openReplay(options, DataDirectory.openForReplay(folder), ended::complete);
         robot = new WindowRobot();

@@ -49,7 +49,31 @@ final class ScreenshotMain {
         try (TemporaryFolder data = new TemporaryFolder("crw-pictures")) {
             pictures.run(data.path());
         }
+        arrangement(args[0], "uav", "look,search?", "operator-copters");
+        arrangement(args[0], "crw", "explore-team", "operator-aims");
+        arrangement(args[0], "team", "scout-and-sample", "operator-team");
         System.exit(0);
+    }
+
+    /** A process has one window, so each of these has a process of its own. */
+    private static void arrangement(String folder, String domain, String plans, String name) throws Exception {
+        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+        int code = new ProcessBuilder(
+                        java,
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        ArrangementScenes.class.getName(),
+                        folder,
+                        domain,
+                        plans,
+                        name,
+                        "100")
+                .inheritIO()
+                .start()
+                .waitFor();
+        if (code != 0) {
+            throw new IllegalStateException("the pictures of " + name + " end with " + code);
+        }
     }
 
     private void run(Path data) throws Exception {

@@ -5,9 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.Polygon;
-import org.sami.crw.judgement.Judgement.Remark;
 import org.sami.crw.service.LocalPlane;
 import org.sami.crw.service.water.Areas;
+import org.sami.session.api.DraftAnswer;
+import org.sami.session.api.Judgement.Remark;
 import org.sami.spn.value.GeoArea;
 
 /** What of an area boats may not enter, and what becomes of that part. */

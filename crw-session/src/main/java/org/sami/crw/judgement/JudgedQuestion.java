@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.handler.motion.WayLimits;
+import org.sami.session.api.DraftAnswer;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.GeoArea;
 

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import org.sami.session.api.DraftAnswer;
 import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
 

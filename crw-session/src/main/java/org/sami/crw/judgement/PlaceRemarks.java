@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.function.DoubleFunction;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
-import org.sami.crw.judgement.Judgement.Remark;
 import org.sami.crw.service.water.Water;
+import org.sami.session.api.Judgement.Remark;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 

@@ -9,12 +9,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.sami.crw.judgement.Judgement.Remark;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.path.TurningCircle;
 import org.sami.crw.service.reach.Charge;
 import org.sami.crw.service.water.Water;
+import org.sami.session.api.Judgement.Remark;
 import org.sami.spn.value.GeoPoint;
 
 /** What the ways of some boats take: length, time and charge, and whose charge is not sure to last. */

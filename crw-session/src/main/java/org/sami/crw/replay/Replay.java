@@ -8,8 +8,9 @@ import java.util.function.Function;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.ReplayFeed;
-import org.sami.crw.session.BoatStart;
-import org.sami.crw.session.picture.SessionPictures;
+import org.sami.session.api.BoatStart;
+import org.sami.session.follow.RecordedBoats;
+import org.sami.session.record.SessionPictures;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.engine.EngineView;
@@ -58,7 +59,7 @@ public final class Replay {
         engine = journal.engine();
         models = new OperatorModels(owner, () -> shownMillis, computing, HandlerModules.robotsOf(journal.vocabulary()));
         feed = models.replayFeed();
-        boats = new RecordedBoats(feed, models, Optional.of(SessionPictures.besides(journal.file())));
+        boats = new RecordedBoats(feed, models, journal.address().file().map(SessionPictures::besides));
         begin();
         goTo(0);
     }

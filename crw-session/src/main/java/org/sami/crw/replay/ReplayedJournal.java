@@ -1,7 +1,6 @@
 package org.sami.crw.replay;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -25,7 +24,7 @@ import org.sami.spn.vocabulary.Vocabulary;
  * read. Immutable.
  */
 public final class ReplayedJournal {
-    private final Path file;
+    private final JournalAddress address;
     private final Vocabulary vocabulary;
     private final Project project;
     private final Engine engine;
@@ -34,10 +33,10 @@ public final class ReplayedJournal {
     private final TimeLine timeLine;
     private final Optional<String> damage;
 
-    private ReplayedJournal(Path file, JournalReader reader) throws IOException {
-        this.file = file;
-        vocabulary = JournalPlans.vocabulary(JournalAddress.of(file), reader.header());
-        project = JournalPlans.project(JournalAddress.of(file), reader.header(), vocabulary);
+    private ReplayedJournal(JournalAddress address, JournalReader reader) throws IOException {
+        this.address = address;
+        vocabulary = JournalPlans.vocabulary(address, reader.header());
+        project = JournalPlans.project(address, reader.header(), vocabulary);
         engine = new Engine(vocabulary, project);
         entries = List.copyOf(reader.entries());
         Telemetry telemetry = reader.telemetry();
@@ -51,23 +50,32 @@ public final class ReplayedJournal {
     }
 
     /**
-     * Reads a journal. Of one that is damaged on its way this is what stands before the damage ({@link #damage}).
+     * Reads a journal in a file or a database. Of one that is damaged on its way this is what stands before the damage ({@link #damage}).
      *
-     * @throws IOException with one sentence that names the file, if there is none, it is no journal, it is damaged from its head, or this
+     * @throws IOException with one sentence that names where it is, if there is none, it is no journal, it is damaged from its head, or this
      *     program cannot read its plans
      */
-    public static ReplayedJournal open(Path file) throws IOException {
-        if (!Files.isRegularFile(file)) {
-            throw new NoSuchFileException("there is no journal " + file);
+    public static ReplayedJournal open(JournalAddress address) throws IOException {
+        if (!address.exists()) {
+            throw new NoSuchFileException("there is no journal " + address);
         }
-        try (JournalReader reader = JournalReader.open(file)) {
-            return new ReplayedJournal(file, reader);
+        try (JournalReader reader = address.read()) {
+            return new ReplayedJournal(address, reader);
         }
     }
 
-    /** The file that was read. */
-    public Path file() {
-        return file;
+    /**
+     * Reads a journal in a file.
+     *
+     * @throws IOException as {@link #open(JournalAddress)}
+     */
+    public static ReplayedJournal open(Path file) throws IOException {
+        return open(JournalAddress.of(file));
+    }
+
+    /** Where it was read. */
+    public JournalAddress address() {
+        return address;
     }
 
     /** The words of the session. */
@@ -85,7 +93,7 @@ public final class ReplayedJournal {
         return timeLine;
     }
 
-    /** What of the file could not be read, in a sentence; empty where all could. */
+    /** What of it could not be read, in a sentence; empty where all could. */
     public Optional<String> damage() {
         return damage;
     }

@@ -2,8 +2,8 @@ package org.sami.crw.replay;
 
 import java.util.List;
 import org.sami.crw.message.OperatorMessage;
-import org.sami.crw.session.archive.SessionNote;
-import org.sami.crw.session.archive.SessionTelemetry;
+import org.sami.session.record.SessionNote;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.engine.Engine;
 import org.sami.spn.engine.EngineState;
 import org.sami.spn.host.JournalEntry;

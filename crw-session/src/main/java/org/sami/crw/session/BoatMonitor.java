@@ -11,8 +11,8 @@ import org.sami.crw.proxy.TakenWaypoints;
 import org.sami.crw.proxy.command.UploadCount;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.status.LinkState;
-import org.sami.crw.session.archive.FleetHistory;
-import org.sami.crw.session.archive.SessionTelemetry;
+import org.sami.session.record.FleetHistory;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.protocol.Priority;
 
 /**

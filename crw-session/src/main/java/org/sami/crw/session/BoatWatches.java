@@ -5,9 +5,9 @@ import java.util.function.LongSupplier;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.session.archive.BoatLog;
-import org.sami.crw.session.archive.FleetHistory;
 import org.sami.crw.session.archive.PoseLog;
-import org.sami.crw.session.archive.SessionTelemetry;
+import org.sami.session.record.FleetHistory;
+import org.sami.session.record.SessionTelemetry;
 
 /** What looks at the boats of a session every second, and what writes down what they do. For the fleet's thread, but where said. */
 final class BoatWatches {

@@ -24,6 +24,10 @@ import org.sami.crw.operator.OperatorLogEntry.Kind;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.KeepStation;
+import org.sami.session.api.BoatStart;
+import org.sami.session.api.GuidedBoats;
+import org.sami.session.api.RefusedException;
+import org.sami.session.api.WayByHand;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.host.EngineHost;
@@ -90,19 +94,18 @@ public final class ByHand implements GuidedBoats {
 
     @Override
     public CompletionStage<WayByHand> goHome(String boat) {
-        return go(boat, WayByHand.Start::back, "sent " + boat + " home");
+        return go(boat, HandWay.Start::back, "sent " + boat + " home");
     }
 
-    private CompletionStage<WayByHand> go(String boat, Function<WayByHand.Start, List<GeoPoint>> way, String words) {
+    private CompletionStage<WayByHand> go(String boat, Function<HandWay.Start, List<GeoPoint>> way, String words) {
         String command = wish(boat);
         return onBoat(boat, this::start)
                 .thenCombine(
                         replies.of(host.query(view -> limits(boat, view))),
                         (start, limits) -> replies.on(computing, () -> {
-                            FollowPath path = WayByHand.command(command, start, way.apply(start), limits.way());
+                            FollowPath path = HandWay.command(command, start, way.apply(start), limits.way());
                             return new Found(
-                                    path,
-                                    WayByHand.of(start, path, limits.area().fence()));
+                                    path, HandWay.of(start, path, limits.area().fence()));
                         }))
                 .thenCompose(Function.identity())
                 .thenCompose(found -> tell(boat, words, proxy -> {
@@ -145,10 +148,10 @@ public final class ByHand implements GuidedBoats {
         return command;
     }
 
-    private WayByHand.Start start(BoatProxy boat) {
-        BoatStart at = BoatStart.of(boat, services)
+    private HandWay.Start start(BoatProxy boat) {
+        BoatStart at = HandWay.startOf(boat, services)
                 .orElseThrow(() -> new RefusedException(boat.boatId() + " has not said where it is"));
-        return new WayByHand.Start(boat.boatId(), at, boat.charge(), boat.home(), boat.isFlying());
+        return new HandWay.Start(boat.boatId(), at, boat.charge(), boat.home(), boat.isFlying());
     }
 
     private static Limits limits(String boat, EngineView view) {

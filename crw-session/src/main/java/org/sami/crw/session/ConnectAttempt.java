@@ -11,6 +11,8 @@ import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.session.api.FrontSession;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.value.NaturalOrder;
 
 /**

@@ -1,6 +1,7 @@
 package org.sami.crw.session;
 
 import java.util.List;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Ids;
 

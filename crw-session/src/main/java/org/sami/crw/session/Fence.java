@@ -9,6 +9,7 @@ import org.sami.crw.area.OperatingArea;
 import org.sami.crw.operator.OperatorLog;
 import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.service.water.Water;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.GeoArea;
 

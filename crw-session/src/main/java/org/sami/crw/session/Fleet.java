@@ -21,12 +21,16 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.file.BoatFileSource;
+import org.sami.crw.proxy.gateway.LinkStatus;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
-import org.sami.crw.session.archive.FleetHistory;
+import org.sami.session.api.FrontFleet;
+import org.sami.session.api.LinkedBoat;
+import org.sami.session.api.RefusedException;
+import org.sami.session.record.FleetHistory;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
 
@@ -44,6 +48,7 @@ public final class Fleet implements FrontFleet {
     private final MissionTitles titles;
     private final Optional<RememberedBoats> remembered; // empty where a session is resumed by running its world again
     private final Runnable beforeTheFirst;
+    private final LostLinkWish lostLinkWish;
     private boolean stopped; // for the fleet's thread
 
     Fleet(
@@ -56,6 +61,7 @@ public final class Fleet implements FrontFleet {
             FleetStopModel stop,
             OperatorLog log,
             MissionTitles titles,
+            LostLinkWish lostLinkWish,
             Runnable beforeTheFirst) {
         this.connector = connector;
         this.replies = replies;
@@ -65,6 +71,7 @@ public final class Fleet implements FrontFleet {
         this.stop = stop;
         this.log = log;
         this.titles = titles;
+        this.lostLinkWish = lostLinkWish;
         this.beforeTheFirst = beforeTheFirst;
         listener.onEachBoat(this::found);
     }
@@ -210,6 +217,15 @@ public final class Fleet implements FrontFleet {
     @Override
     public BoatFileSource files(LinkedBoat boat) {
         return connector.files(boat.address());
+    }
+
+    @Override
+    public CompletionStage<List<LinkStatus>> linkStatuses(String boat) {
+        return links().thenApply(links -> links.stream()
+                .filter(link -> link.boatId().equals(Optional.of(boat)))
+                .findFirst()
+                .map(LinkReport::linkStatuses)
+                .orElse(List.of()));
     }
 
     /** How the links stand. */
@@ -365,6 +381,22 @@ public final class Fleet implements FrontFleet {
                 boat,
                 proxy -> proxy.settings().setLostLinkAction(action),
                 "set " + boat + " to " + action.name().toLowerCase(Locale.ROOT) + " when its link is lost");
+    }
+
+    @Override
+    public Optional<LostLinkAction> lostLinkWish() {
+        return lostLinkWish.now();
+    }
+
+    /** Begins with the wish that this process was started with; empty leaves that of the session's journal. */
+    public void wish(Optional<LostLinkAction> action) {
+        lostLinkWish.begin(action);
+    }
+
+    @Override
+    public CompletionStage<Void> wishLostLink(Optional<LostLinkAction> action) {
+        lostLinkWish.change(action);
+        return CompletableFuture.completedStage(null);
     }
 
     private CompletionStage<Void> set(String boat, Function<BoatProxy, String> ask, String done) {

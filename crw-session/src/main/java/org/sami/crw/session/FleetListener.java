@@ -20,10 +20,10 @@ import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BaseListener;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.archive.FleetHistory;
-import org.sami.crw.session.archive.SensorValue;
-import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.crw.session.fault.ThreadGuard;
+import org.sami.session.record.FleetHistory;
+import org.sami.session.record.SensorValue;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.host.ListenerList;
 import org.sami.spn.value.GeoPoint;
 

@@ -9,15 +9,16 @@ import java.util.concurrent.Executor;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.judgement.AnswerJudge;
-import org.sami.crw.judgement.DraftAnswer;
 import org.sami.crw.judgement.JudgedBoat;
 import org.sami.crw.judgement.JudgedQuestion;
-import org.sami.crw.judgement.Judgement;
 import org.sami.crw.judgement.QuestionReader;
 import org.sami.crw.judgement.StartReader;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.status.BoatPose;
+import org.sami.session.api.DraftAnswer;
+import org.sami.session.api.DraftJudge;
+import org.sami.session.api.Judgement;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.Value;
 

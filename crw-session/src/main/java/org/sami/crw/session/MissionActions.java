@@ -8,6 +8,7 @@ import java.util.concurrent.CompletionStage;
 import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.task.TaskMove;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.TaskId;
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.session.archive.SavedGlobals;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.json.BoundedFile;

@@ -10,6 +10,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.sami.session.api.RefusedException;
 
 /**
  * Results that callers of a session wait for. They arrive on the front's executor, never on the engine's or the fleet's thread, so

@@ -14,9 +14,12 @@ import java.util.function.Function;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.motion.WayLimits;
-import org.sami.crw.judgement.DraftAnswer;
 import org.sami.crw.operator.OperatorModels;
-import org.sami.crw.session.archive.SessionTelemetry;
+import org.sami.session.api.BoatStart;
+import org.sami.session.api.DraftAnswer;
+import org.sami.session.api.FrontSession;
+import org.sami.session.api.RefusedException;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HostListener;
@@ -74,6 +77,7 @@ public final class Session implements FrontSession, AutoCloseable {
                 models.fleetStop(),
                 models.log(),
                 models.missions()::title,
+                parts.lostLinkWish,
                 this::noteBegin);
         byHand = new ByHand(
                 fleet,
@@ -272,9 +276,9 @@ public final class Session implements FrontSession, AutoCloseable {
         return CompletableFuture.completedFuture(null);
     }
 
-    @Override
-    public Optional<Session> inProcess() {
-        return Optional.of(this);
+    /** The session itself behind a front, where it runs in this process: for what only its own machine has, such as files, keys, what becomes of faults. */
+    public static Optional<Session> inProcess(FrontSession front) {
+        return front instanceof Session here ? Optional.of(here) : Optional.empty();
     }
 
     @Override
@@ -363,7 +367,7 @@ public final class Session implements FrontSession, AutoCloseable {
     @Override
     public CompletionStage<Optional<List<GeoPoint>>> way(long mission, String boat, GeoPath path) {
         CompletionStage<Optional<BoatStart>> start =
-                fleet().ask(boats -> boats.find(boat).flatMap(proxy -> BoatStart.of(proxy, setup.services())));
+                fleet().ask(boats -> boats.find(boat).flatMap(proxy -> HandWay.startOf(proxy, setup.services())));
         CompletionStage<WayLimits> limits = ask(view -> WayLimits.of(mission, view));
         return start.thenCombineAsync(
                         limits, (from, water) -> from.map(one -> one.way(path, water)), parts.threads.drawing())

@@ -12,9 +12,9 @@ import org.sami.crw.fleet.publishing.FleetEvents;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.session.archive.FleetHistory;
-import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.crw.session.fault.ThreadGuard;
+import org.sami.session.record.FleetHistory;
+import org.sami.session.record.SessionTelemetry;
 
 /** The boats of a session: the connector to them, what is known of them, and the watches that look at them every second. */
 final class SessionFleet implements Closeable {

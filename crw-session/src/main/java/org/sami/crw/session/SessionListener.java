@@ -1,8 +1,8 @@
 package org.sami.crw.session;
 
 import java.util.List;
-import org.sami.crw.session.archive.SensorValue;
-import org.sami.crw.session.archive.SessionNote;
+import org.sami.session.record.SensorValue;
+import org.sami.session.record.SessionNote;
 import org.sami.spn.value.GeoPoint;
 
 /**

@@ -9,6 +9,10 @@ import org.sami.spn.vocabulary.Vocabulary;
 final class SessionLooks {
     private static final long LOOK_MS = 1000;
     private static final long STUCK_MS = 1000;
+
+    /** Short against the half second that is left of a journal's lease once its holder stops: nothing is commanded after its end, also where nothing is to be written. */
+    private static final long DATABASE_MS = 250;
+
     private static final int SHOWN_BEFORE_REFRESH = 3;
 
     private final Vocabulary vocabulary;
@@ -48,6 +52,15 @@ final class SessionLooks {
     void begin() {
         keepLookingAfterBoats();
         keepShowing();
+        monitor.filter(SessionMonitor::watchesDatabase).ifPresent(this::keepLookingAfterDatabase);
+    }
+
+    private void keepLookingAfterDatabase(SessionMonitor watching) {
+        try {
+            watching.checkJournal();
+        } finally {
+            threads.scheduler().after(DATABASE_MS, () -> keepLookingAfterDatabase(watching));
+        }
     }
 
     /** Ages and reasons change by themselves. */

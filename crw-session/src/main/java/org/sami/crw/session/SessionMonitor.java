@@ -9,7 +9,7 @@ import org.sami.crw.session.fault.SystemWatch;
 import org.sami.crw.session.fault.ThreadGuard;
 import org.sami.spn.host.EngineHost;
 
-/** Monitors a session in real time: its engine, the disk of its journal, its memory. The session calls it every second. */
+/** Monitors a session in real time: its engine, the disk or the database of its journal, its memory. */
 final class SessionMonitor implements Closeable {
     private final EngineHost host;
     private final ThreadGuard guard;
@@ -41,10 +41,20 @@ final class SessionMonitor implements Closeable {
         return engine;
     }
 
-    /** On the engine's thread. */
+    /** Whether the journal is kept in a database. */
+    boolean watchesDatabase() {
+        return system.watchesDatabase();
+    }
+
+    /** Has the engine stand still where its journal may not be written any more, also if there is nothing to write. On the engine's thread. */
+    void checkJournal() {
+        host.checkJournal();
+    }
+
+    /** To be called every second, on the engine's thread. */
     void look(long nowMillis) {
         engine.look();
-        host.checkJournal();
+        checkJournal();
         system.look(nowMillis);
         long now = host.load().listenerFaults();
         if (now > faults) {

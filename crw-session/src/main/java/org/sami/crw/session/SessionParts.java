@@ -10,10 +10,10 @@ import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.session.archive.MapHistory;
-import org.sami.crw.session.archive.OperatorLogRows;
 import org.sami.crw.session.archive.SessionJournal;
-import org.sami.crw.session.archive.SessionTelemetry;
 import org.sami.crw.session.fault.ThreadGuard;
+import org.sami.session.record.OperatorLogRows;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.journal.TelemetryRow;
 
@@ -30,6 +30,7 @@ final class SessionParts {
     final SessionEngine engine;
     final SessionTelemetry telemetry;
     final OperatorModels models;
+    final LostLinkWish lostLinkWish;
     final SessionMessages messages;
     final SessionFleet fleet;
     final SessionDomain domain;
@@ -45,12 +46,13 @@ final class SessionParts {
                 reason -> engine().host().fail(reason));
         threads = toClose(new SessionThreads(setup.runtime(), journal.cameToMillis(), guard));
         engine = toClose(new SessionEngine(setup, threads));
-        telemetry = new SessionTelemetry(journal, threads::nowMs);
+        telemetry = new SessionTelemetry(journal::addTelemetry, threads::nowMs);
         robots = HandlerModules.robotsOf(setup.vocabulary());
         models = new OperatorModels(threads.front(), threads::nowMs, threads.drawing(), robots);
         if (!threads.isRealTime()) {
             models.showBoatsWhenAsked();
         }
+        lostLinkWish = new LostLinkWish(journal, telemetry, threads::nowMs, models.log());
         messages = new SessionMessages(telemetry, models, robots);
         fleet = toClose(new SessionFleet(setup, threads, engine, telemetry, models, messages, guard));
         if (threads
@@ -86,10 +88,11 @@ final class SessionParts {
         return engine;
     }
 
-    /** Restores the operator's log and map from earlier processes, and keeps the log from now on. */
+    /** Restores the operator's log, the wish and the map from earlier processes, and keeps the log from now on. */
     private void keepLog() throws IOException {
         List<TelemetryRow> earlier = journal.earlier();
         models.log().restore(OperatorLogRows.read(earlier));
+        lostLinkWish.restore(earlier);
         MapHistory.restore(earlier, models.map());
         fleet.pictures().ifPresent(kept -> kept.restore(earlier, models.pictures(), fleet.connector()));
         models.log()

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import org.sami.crw.session.archive.SavedGlobals;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Effect;

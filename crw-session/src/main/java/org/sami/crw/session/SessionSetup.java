@@ -7,7 +7,7 @@ import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.session.fault.FaultPolicy;
-import org.sami.crw.session.picture.SessionPictures;
+import org.sami.session.record.SessionPictures;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.json.VocabularyFiles;

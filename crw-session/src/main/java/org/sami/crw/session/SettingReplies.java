@@ -6,6 +6,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.session.api.RefusedException;
 
 /** Settings that were asked of boats, until each boat has taken or refused its own. For the fleet's thread, but where said. */
 final class SettingReplies {

@@ -209,6 +209,19 @@ final class TcpFleet implements FleetConnector {
         }
 
         @Override
+        public void onJoined(InetSocketAddress joined, InetSocketAddress vehicle) {
+            List<Consumer<String>> waiting =
+                    Optional.ofNullable(awaited.remove(joined)).orElse(List.of());
+            String known = boatAt.get(vehicle);
+            if (known != null) {
+                waiting.forEach(found -> found.accept(known));
+            } else if (!waiting.isEmpty()) {
+                awaited.computeIfAbsent(vehicle, unknown -> new ArrayList<>()).addAll(waiting);
+            }
+            listener.onJoined(joined, vehicle);
+        }
+
+        @Override
         public void onMoved(String boatId, InetSocketAddress from, InetSocketAddress to) {
             listener.onMoved(boatId, from, to);
         }

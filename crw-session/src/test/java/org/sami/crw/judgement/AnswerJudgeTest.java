@@ -15,6 +15,8 @@ import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.reach.Charge;
 import org.sami.crw.service.water.CrossTrackError;
+import org.sami.session.api.DraftAnswer;
+import org.sami.session.api.Judgement;
 import org.sami.spn.protocol.Question;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;

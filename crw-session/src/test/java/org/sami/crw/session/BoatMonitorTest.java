@@ -10,9 +10,9 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.link.ProxyConfig;
-import org.sami.crw.session.archive.FleetHistory;
 import org.sami.crw.session.archive.SessionJournal;
-import org.sami.crw.session.archive.SessionTelemetry;
+import org.sami.session.record.FleetHistory;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
@@ -21,7 +21,7 @@ class BoatMonitorTest {
     private static final String WHY = "anna does not move: the boat has not answered yet; one command waits";
 
     private final FleetHistory status = new FleetHistory();
-    private final SessionTelemetry telemetry = new SessionTelemetry(SessionJournal.none(), () -> 0);
+    private final SessionTelemetry telemetry = new SessionTelemetry(SessionJournal.none()::addTelemetry, () -> 0);
     private final SessionMessages messages = new SessionMessages(telemetry, message -> {});
     private final List<String> notices = new ArrayList<>();
     private final BoatMonitor watch = new BoatMonitor(status, telemetry, messages, MissionTitles.NONE, true, () -> 0);

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.service.water.CrossTrackError;
+import org.sami.session.api.BoatStart;
 import org.sami.spn.value.GeoPoint;
 
 /** Where a copter flies, and a boat drives, that the operator sends somewhere: a point on the map has no altitude. */
@@ -14,8 +15,8 @@ class FlightByHandTest {
     private static final GeoPoint CLICKED = GeoPoint.of(45.701, 10.72);
     private static final GeoPoint HOME = GeoPoint.of(45.7, 10.72);
 
-    private static WayByHand.Start start(double altM, boolean flies, Optional<GeoPoint> home) {
-        return new WayByHand.Start(
+    private static HandWay.Start start(double altM, boolean flies, Optional<GeoPoint> home) {
+        return new HandWay.Start(
                 "kite",
                 new BoatStart(new GeoPoint(45.7, 10.721, altM), CrossTrackError.NONE),
                 Optional.empty(),

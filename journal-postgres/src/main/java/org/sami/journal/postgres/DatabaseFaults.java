@@ -18,6 +18,7 @@ public final class DatabaseFaults {
             Map.entry("57P01", "the database shuts down"),
             Map.entry("57P02", "the database crashed"),
             Map.entry("57P03", "the database is starting or shutting down"),
+            Map.entry("23505", "another program has written it already"),
             Map.entry("25P03", "the database ended a transaction that stood still"),
             Map.entry("25006", "the database is read only: it may be a standby"),
             Map.entry("3D000", "there is no such database"),

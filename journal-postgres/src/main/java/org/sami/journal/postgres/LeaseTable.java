@@ -9,8 +9,9 @@ import java.util.Optional;
 import java.util.OptionalLong;
 
 /**
- * The row that names the base that may write a journal. Its epoch grows with each holder, and by more where a replica became the database. An append locks the row's key in its own
- * transaction; a take-over changes the key. So a take-over waits for appends under way, and a later append of the old holder finds no row of its epoch. Leases are timed by the clock of the
+ * The row that names the base that may write a journal. Its epoch grows with each holder, and by more where a replica became the database. Appends hold a lock of the database together until
+ * their transactions end, and a take-over holds it alone. So a take-over waits for appends under way, and a later append of the old holder finds no row of its epoch. No lock of the row itself
+ * would do: PostgreSQL loses one of its key where another transaction, as a renewal is, moves the row to another page meanwhile (docs/decisions 0700). Leases are timed by the clock of the
  * database that all bases ask. Where one database replicates another, so that both have the row, a standby judges it by {@link LeaseObservation}.
  */
 final class LeaseTable {
@@ -44,6 +45,14 @@ final class LeaseTable {
 
     private static final String GIVEN_BACK = "-infinity";
 
+    /** Locks of other programs have other first numbers; a database has a lease table for each journal. */
+    private static final String KEY = "(1396788553, 'lease'::regclass::oid::int4); ";
+
+    /** A statement behind it, of the same transaction, sees what was committed before the lock was got. */
+    private static final String WITH_APPENDS = "SELECT pg_advisory_xact_lock_shared" + KEY;
+
+    private static final String ALONE = "SELECT pg_advisory_xact_lock" + KEY;
+
     /** In the database of a pair: the holder counts on its standby at present, which may go on by itself. */
     private static final String STANDBY_MAY_TAKE = "(current_setting('synchronous_standby_names') <> ''"
             + " AND coalesce(current_setting('" + PairSetting.NAME + "', true), '') = '" + PairSetting.TAKE_OVER
@@ -61,7 +70,11 @@ final class LeaseTable {
 
     /** Takes the lease where it is over by the database's clock; gives its epoch. */
     static OptionalLong take(Connection connection, String holder, Duration length) throws SQLException {
-        try (PreparedStatement update = connection.prepareStatement(taking("ends <= now.t"))) {
+        String over = "ends <= now.t";
+        if (!mayBeTaken(connection, over)) {
+            return OptionalLong.empty();
+        }
+        try (PreparedStatement update = connection.prepareStatement(taking(over))) {
             update.setString(1, holder);
             update.setLong(2, length.toMillis());
             return epoch(update);
@@ -80,17 +93,33 @@ final class LeaseTable {
         }
     }
 
+    /** Looks before it locks: whoever waits for a lease asks ten times a second, and is to hold up no append. Where nothing can be written, the attempt is to say so. */
+    private static boolean mayBeTaken(Connection connection, String condition) throws SQLException {
+        return !Connections.text(
+                        connection,
+                        "SELECT 1 FROM lease, (SELECT clock_timestamp() AS t) AS now WHERE " + condition
+                                + " OR pg_is_in_recovery()")
+                .isEmpty();
+    }
+
     private static String taking(String condition) {
-        return "WITH now AS (SELECT clock_timestamp() AS t), taken AS (UPDATE lease SET epoch = " + NEXT_EPOCH
+        return ALONE + "WITH now AS (SELECT clock_timestamp() AS t), taken AS (UPDATE lease SET epoch = " + NEXT_EPOCH
                 + ", holder = ?, taken = now.t, ends = now.t + ? * interval '1 ms', standby_may_take = "
                 + STANDBY_MAY_TAKE + " FROM now WHERE " + condition + " RETURNING epoch, holder, taken)"
                 + " INSERT INTO holders SELECT epoch, holder, taken FROM taken RETURNING epoch";
     }
 
     private static OptionalLong epoch(PreparedStatement update) throws SQLException {
-        try (ResultSet rows = update.executeQuery()) {
+        try (ResultSet rows = behindLock(update)) {
             return rows.next() ? OptionalLong.of(rows.getLong(1)) : OptionalLong.empty();
         }
+    }
+
+    /** What the statement behind the one that locks gives; both go to the database at once, in one transaction also where the connection commits by itself. */
+    private static ResultSet behindLock(PreparedStatement both) throws SQLException {
+        both.execute();
+        both.getMoreResults();
+        return both.getResultSet();
     }
 
     /** Renews the lease, also where it was over and no other base has taken it; false if another base has. */
@@ -104,12 +133,12 @@ final class LeaseTable {
         }
     }
 
-    /** How the lease of an epoch stands; it stays so until the transaction ends. */
+    /** How the lease of an epoch stands; nobody takes it until the transaction ends. */
     static Standing lock(Connection connection, long epoch) throws SQLException {
         try (PreparedStatement select = connection.prepareStatement(
-                "SELECT ends > clock_timestamp() FROM lease WHERE epoch = ? FOR KEY SHARE")) {
+                WITH_APPENDS + "SELECT ends > clock_timestamp() FROM lease WHERE epoch = ?")) {
             select.setLong(1, epoch);
-            try (ResultSet rows = select.executeQuery()) {
+            try (ResultSet rows = behindLock(select)) {
                 if (!rows.next()) {
                     return Standing.SUPERSEDED;
                 }
@@ -138,13 +167,13 @@ final class LeaseTable {
         if (holder.isEmpty() || holder.get().isGivenBack()) {
             return Optional.empty();
         }
-        try (PreparedStatement update = connection.prepareStatement(
-                "WITH taken AS (UPDATE lease SET epoch = epoch + 1, holder = ?, taken = clock_timestamp(), ends = '"
-                        + GIVEN_BACK + "' WHERE epoch = ? RETURNING epoch, holder, taken)"
-                        + " INSERT INTO holders SELECT epoch, holder, taken FROM taken")) {
+        try (PreparedStatement update = connection.prepareStatement(ALONE
+                + "WITH taken AS (UPDATE lease SET epoch = epoch + 1, holder = ?, taken = clock_timestamp(), ends = '"
+                + GIVEN_BACK + "' WHERE epoch = ? RETURNING epoch, holder, taken)"
+                + " INSERT INTO holders SELECT epoch, holder, taken FROM taken RETURNING epoch")) {
             update.setString(1, by);
             update.setLong(2, holder.get().epoch());
-            return update.executeUpdate() == 1 ? holder : Optional.empty();
+            return epoch(update).isPresent() ? holder : Optional.empty();
         }
     }
 

@@ -39,6 +39,7 @@ final class PostgresJournal implements StoredJournal {
     private final JournalTables tables;
     private final Recovery recovery;
     private final TelemetryFlush flush;
+    private final LateWriting late;
     private volatile JournalPart read;
     private Connection connection;
     private String commitMode = "";
@@ -66,6 +67,7 @@ final class PostgresJournal implements StoredJournal {
         this.recovery = recovery;
         this.options = options;
         this.flush = new TelemetryFlush("journal-telemetry of " + address.words(), this::writeTelemetry);
+        this.late = new LateWriting("journal-late of " + address.words(), lease);
     }
 
     @Override
@@ -210,6 +212,7 @@ final class PostgresJournal implements StoredJournal {
     /** One transaction, with the lease and the telemetry that waits. After a failure nothing more is written before {@link #recover}: the journal's end is not known. */
     private void commit(long entry, Durability durability, Writing writing) throws JournalException {
         checkWritable(entry);
+        late.begins(connection);
         try {
             setDurability(durability);
             Optional<String> lost = lease.lock(connection);
@@ -223,8 +226,11 @@ final class PostgresJournal implements StoredJournal {
             connection.commit();
             tables.committed();
         } catch (SQLException fault) {
-            broken = Optional.of(DatabaseFaults.words(fault));
-            throw DatabaseFaults.of(address, entry, CANNOT, fault);
+            String why = lease.lost().orElseGet(() -> DatabaseFaults.words(fault));
+            broken = Optional.of(why);
+            throw new JournalException(address.words(), entry, CANNOT + ": " + why, fault);
+        } finally {
+            late.isOver();
         }
     }
 
@@ -257,7 +263,8 @@ final class PostgresJournal implements StoredJournal {
             if (closed) {
                 return;
             }
-            try (Lease given = lease) {
+            try (Lease given = lease;
+                    LateWriting ended = late) {
                 writeTelemetry();
             } finally {
                 closed = true;

@@ -13,6 +13,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -158,6 +159,41 @@ class LeaseTest {
     }
 
     @Test
+    void aWritingThatIsNotAnsweredByTheEndOfTheLeaseFailsThenAndIsGoneOnWith() throws Exception {
+        AtomicLong nanos = new AtomicLong();
+        PostgresStore store = Journals.base("laptop-1", Journals.OWN_LIMIT, nanos::get);
+        try (StoredJournal journal = store.create(address, Journals.HEADER, JournalOptions.DEFAULT);
+                Connection holding = TestServer.connect(address)) {
+            holding.setAutoCommit(false);
+            Connections.run(holding, "LOCK TABLE entries IN ACCESS EXCLUSIVE MODE");
+            CompletableFuture<Void> over = CompletableFuture.runAsync(() -> {
+                awaitWaiting(holding);
+                nanos.addAndGet(Journals.OWN_LIMIT.toNanos());
+            });
+
+            assertThatThrownBy(() -> journal.append(Journals.entries(0, 1), Durability.PROCESS))
+                    .isInstanceOf(JournalException.class)
+                    .hasMessageContaining("entry 1: cannot be written: its lease is over, which could not be renewed");
+
+            over.join();
+            holding.rollback();
+            journal.recover();
+            journal.append(Journals.entries(journal.lastIndex(), 1), Durability.PROCESS);
+        }
+    }
+
+    private static void awaitWaiting(Connection by) {
+        try {
+            while (Connections.text(by, "SELECT 1 FROM pg_locks WHERE NOT granted AND relation = 'entries'::regclass")
+                    .isEmpty()) {
+                Thread.onSpinWait();
+            }
+        } catch (SQLException fault) {
+            throw new IllegalStateException(fault);
+        }
+    }
+
+    @Test
     void theDatabasesClockDecidesWhateverTheBaseBelieves() throws Exception {
         long aDayOff = -Duration.ofDays(1).toNanos();
         PostgresStore store = Journals.base("laptop-1", Journals.OWN_LIMIT, () -> aDayOff);
@@ -212,21 +248,25 @@ class LeaseTest {
         }
     }
 
-    /** Two bases take the lease from each other while both append as fast as they can. */
+    /** Two bases take the lease from each other while both append as fast as they can. The row is so wide that it goes to another page often, where PostgreSQL loses a lock of its key. */
     @Test
     @Timeout(1200)
     void noEntryOfASupersededBaseIsWrittenInTenThousandTakeOvers() throws Exception {
         Journals.create("nobody", address).close();
-        ExecutorService threads = Executors.newFixedThreadPool(2);
+        TestServer.run(address, "ALTER TABLE lease ADD COLUMN wide text NOT NULL DEFAULT repeat('x', 1900)");
+        TestServer.run(address, "ALTER TABLE lease ALTER COLUMN wide SET STORAGE PLAIN");
+        ExecutorService threads = Executors.newFixedThreadPool(3);
         AtomicLong newest = new AtomicLong();
         try {
             List<Future<Long>> bases =
                     List.of(threads.submit(() -> rival(newest)), threads.submit(() -> rival(newest)));
+            Future<Long> renewals = threads.submit(() -> renewals(newest));
             long taken = 0;
             for (Future<Long> base : bases) {
                 taken += base.get();
             }
             assertThat(taken).isGreaterThanOrEqualTo(TAKE_OVERS);
+            assertThat(renewals.get()).isPositive();
         } finally {
             newest.set(Long.MAX_VALUE); // also where one of them failed
             threads.shutdown();
@@ -241,6 +281,18 @@ class LeaseTest {
                                 + " UNBOUNDED PRECEDING AND 1 PRECEDING) AS before FROM entries) AS e WHERE at_millis <"
                                 + " before"))
                 .isZero();
+    }
+
+    /** Writes the row again and again, as a holder does that renews its lease; gives how often. */
+    private long renewals(AtomicLong newest) throws SQLException {
+        long renewed = 0;
+        try (Connection connection = TestServer.connect(address)) {
+            while (newest.get() <= TAKE_OVERS) {
+                Connections.run(connection, "UPDATE lease SET ends = ends");
+                renewed++;
+            }
+        }
+        return renewed;
     }
 
     /** Takes the lease whenever it can and appends until it is refused; gives how often it took it. */
@@ -272,7 +324,19 @@ class LeaseTest {
         boolean held = LeaseTable.lock(connection, epoch) == LeaseTable.Standing.HELD;
         if (held) {
             long last = Long.parseLong(Connections.text(connection, "SELECT coalesce(max(idx), 0) FROM entries"));
-            rows.entries(List.of(new EntryRow(last + 1, epoch, "{}", new Checksum(0, 0))));
+            try {
+                rows.entries(List.of(new EntryRow(last + 1, epoch, "{}", new Checksum(0, 0))));
+            } catch (SQLException refused) {
+                connection.rollback();
+                throw new SQLException(
+                        "holder of epoch " + epoch + ", entry " + (last + 1) + ", now: "
+                                + Connections.text(
+                                        connection,
+                                        "SELECT 'lease ' || l.epoch || ', entry of ' || e.at_millis || ', last '"
+                                                + " || (SELECT max(idx) FROM entries) FROM lease l LEFT JOIN entries e"
+                                                + " ON e.idx = " + (last + 1)),
+                        refused);
+            }
         }
         connection.commit();
         return held;

@@ -65,7 +65,8 @@ public final class BasePair {
     /**
      * What this base does in the pair at present.
      *
-     * @throws PairException if this base must not hold a session: the other went on with it, or may have
+     * @throws SilentBaseException if the other base does not answer, and may have gone on with the session
+     * @throws PairException if this base must not hold a session, as the other went on with it
      */
     public Part checkedPart() throws PairException {
         if (part() == Part.REPLICA) {
@@ -80,9 +81,8 @@ public final class BasePair {
             }
         } catch (SQLException silent) {
             if (waits && settings.whenCut() == WhenCut.TAKE_OVER) {
-                throw new PairException(settings.other() + " does not answer (" + DatabaseFaults.words(silent)
-                        + ") and may have gone on with the session. If it has not, and is off: crw pair alone; if it"
-                        + " has another address: crw pair address");
+                throw new SilentBaseException(settings.other() + " does not answer (" + DatabaseFaults.words(silent)
+                        + ") and may have gone on with the session");
             }
         }
         return Part.DATABASE;

@@ -3,7 +3,7 @@ package org.sami.pair.postgres;
 import java.io.IOException;
 
 /** Why a pair of bases cannot be made, read or used, in words for its user. */
-public final class PairException extends IOException {
+public sealed class PairException extends IOException permits SilentBaseException {
     private static final long serialVersionUID = 1;
 
     /** With a sentence that names what and where. */

@@ -19,6 +19,10 @@ public final class PairMove {
     private static final int ANSWER_MILLIS = 1000;
     private static final int LOOKS = 40;
     private static final long LOOK_MILLIS = 250;
+
+    /** Databases of a pair notice after 2 s that nothing comes. */
+    private static final int LOOKS_AT_LOST = 12;
+
     private static final String LOGIN_REFUSED = "28"; // how SQL states of refused logins begin
 
     private final PairFolder folder;
@@ -119,24 +123,48 @@ public final class PairMove {
     }
 
     /** A mistyped address would end the protection of a session; a replica finds a database that went elsewhere no longer. */
-    private void checkDoesNotCut() throws PairException {
-        boolean connected;
+    private void checkDoesNotCut() throws IOException {
+        boolean leavesReplica = !after.here().equals(before.here());
+        boolean nobodyThere = !after.other().equals(before.other()) && look() == Link.SILENT;
+        if (!leavesReplica && !nobodyThere) {
+            return;
+        }
         boolean isReplica;
         try (Connection own = new PairConnections(folder, before).own()) {
-            connected = isConnected(own);
             isReplica = Replication.isReplica(own);
+            if ((isReplica && !nobodyThere) || !staysConnected(own)) {
+                return;
+            }
         } catch (SQLException silent) {
             return; // it is restarted
         }
-        if (connected && !isReplica && !after.here().equals(before.here())) {
+        if (leavesReplica && !isReplica) {
             throw new PairException(before.other() + " follows the database of this base at " + before.here()
                     + ", where it would be no longer; nothing was changed. First, there: end crw serve, then crw pair"
                     + " stop. Then give this command again, and then, there: crw pair address " + after.here());
         }
-        if (connected && !after.other().equals(before.other()) && look() == Link.SILENT) {
-            throw new PairException("the bases are connected by " + before.other() + ", and no database of this pair"
-                    + " answers at " + after.other() + "; nothing was changed. If the other base has that address: "
-                    + "there first, crw pair address " + after.here());
+        throw new PairException("the bases are connected by " + before.other() + ", and no database of this pair"
+                + " answers at " + after.other() + "; nothing was changed. If the other base has that address: "
+                + "there first, crw pair address " + after.here());
+    }
+
+    /** Whether the bases are connected, and not only because a network that was left a moment ago is not missed yet. */
+    private static boolean staysConnected(Connection own) throws SQLException, InterruptedIOException {
+        for (int look = 0; look < LOOKS_AT_LOST; look++) {
+            if (!isConnected(own)) {
+                return false;
+            }
+            pause();
+        }
+        return isConnected(own);
+    }
+
+    private static void pause() throws InterruptedIOException {
+        try {
+            TimeUnit.MILLISECONDS.sleep(LOOK_MILLIS);
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            throw new InterruptedIOException("interrupted while waiting for the other base of a pair");
         }
     }
 
@@ -195,12 +223,9 @@ public final class PairMove {
                 if (!Replication.isReplica(own)) {
                     link = replaced(Replication.timeline(own));
                 }
-                TimeUnit.MILLISECONDS.sleep(LOOK_MILLIS);
+                pause();
             } catch (SQLException fault) {
                 throw new PairException("the database of this base: " + DatabaseFaults.words(fault), fault);
-            } catch (InterruptedException stopped) {
-                Thread.currentThread().interrupt();
-                throw new InterruptedIOException("interrupted while waiting for the other base of a pair");
             }
         }
         return link;

@@ -7,6 +7,7 @@ import java.nio.file.StandardOpenOption;
 import java.sql.Connection;
 import java.sql.SQLException;
 import java.util.List;
+import org.postgresql.util.PasswordUtil;
 import org.sami.journal.postgres.Connections;
 import org.sami.journal.postgres.DatabaseFaults;
 import org.sami.journal.postgres.PairSetting;
@@ -35,6 +36,9 @@ public final class PairSetup {
         max_standby_streaming_delay = 1s
         shared_buffers = 64MB
         """;
+
+    /** Over a link that loses packets a copy may stand still for longer than a replica may be silent. */
+    private static final String PATIENTLY = " options='-c wal_sender_timeout=60s'";
 
     private final PairFolder folder;
     private final Programs programs;
@@ -135,11 +139,12 @@ public final class PairSetup {
             try (Connection admin = connections.asAdmin("postgres")) {
                 Connections.run(
                         admin,
-                        "CREATE ROLE " + Roles.SESSION + " LOGIN PASSWORD '" + secrets.session()
-                                + "' IN ROLE pg_monitor");
+                        "CREATE ROLE " + Roles.SESSION + " LOGIN PASSWORD '"
+                                + verifier(Roles.SESSION, secrets.session()) + "' IN ROLE pg_monitor");
                 Connections.run(
                         admin,
-                        "CREATE ROLE " + Roles.REPLICA + " LOGIN REPLICATION PASSWORD '" + secrets.replica() + "'");
+                        "CREATE ROLE " + Roles.REPLICA + " LOGIN REPLICATION PASSWORD '"
+                                + verifier(Roles.REPLICA, secrets.replica()) + "'");
                 Connections.run(admin, "CREATE DATABASE " + Roles.DATABASE + " OWNER " + Roles.SESSION);
                 Connections.run(
                         admin,
@@ -159,6 +164,11 @@ public final class PairSetup {
         }
     }
 
+    /** What the database keeps of a password: a statement that fails stands in its log. */
+    private static String verifier(String role, String password) throws SQLException {
+        return PasswordUtil.encodePassword(role, password.toCharArray(), "scram-sha-256");
+    }
+
     /** Copies the other base's database as it is now into a folder that is not there, as its replica. */
     private void copyFromOther(Path data) throws IOException {
         PairConnections connections = new PairConnections(folder, settings);
@@ -167,7 +177,7 @@ public final class PairSetup {
                 COPY_SECONDS,
                 List.of(
                         "pg_basebackup",
-                        "--dbname=" + connections.source(),
+                        "--dbname=" + connections.source() + PATIENTLY,
                         "--pgdata=" + data,
                         "--wal-method=stream",
                         "--checkpoint=fast"));

@@ -27,7 +27,7 @@ import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.status.StopLatch;
-import org.sami.crw.replay.BoatSample;
+import org.sami.session.follow.BoatSample;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 

@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.RefusedException;
 
 /** The requests that the server has not answered yet. For one thread. */
 final class OpenRequests {

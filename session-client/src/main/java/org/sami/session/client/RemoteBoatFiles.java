@@ -16,7 +16,7 @@ import java.util.function.Supplier;
 import org.sami.boat.link.KeptFile;
 import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.file.FileFetchException;
-import org.sami.crw.session.LinkedBoat;
+import org.sami.session.api.LinkedBoat;
 
 /**
  * The logs of a boat of a session in another process, which its base asks of the boat and gives over HTTP (docs/session-link.md). After a take-over they come from the other base. What is

@@ -5,8 +5,8 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletionStage;
-import org.sami.crw.session.GuidedBoats;
-import org.sami.crw.session.WayByHand;
+import org.sami.session.api.GuidedBoats;
+import org.sami.session.api.WayByHand;
 import org.sami.spn.value.GeoPoint;
 
 /** Sends boats of a session in another process, each claimed for this person first. From any thread. */

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
@@ -18,26 +19,37 @@ import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.file.BoatFileSource;
+import org.sami.crw.proxy.gateway.LinkStatus;
+import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.FrontFleet;
-import org.sami.crw.session.LinkedBoat;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.FrontFleet;
+import org.sami.session.api.LinkedBoat;
+import org.sami.session.api.RefusedException;
+import org.sami.session.record.LinkStatusJson;
+import org.sami.session.record.LostLinkWishRows;
 import org.sami.spn.value.GeoPoint;
 
 /** The boats of a session in another process. A boat is claimed for this person before it is driven by hand, and given back with it. Safe for use by several threads. */
 final class RemoteFleet implements FrontFleet {
-    private final ServerRequests server;
+    private final RemoteRequests server;
     private final Supplier<OperatorModels> models;
+    private final Supplier<Optional<LostLinkAction>> wish;
     private final Supplier<Optional<TicketedBase>> holder;
     private final Set<String> claimed = ConcurrentHashMap.newKeySet();
 
     /**
      * Its boats.
      *
+     * @param wish what the session wishes of them when their link is lost; from any thread
      * @param holder the base that gives their logs; from any thread
      */
-    RemoteFleet(ServerRequests server, Supplier<OperatorModels> models, Supplier<Optional<TicketedBase>> holder) {
+    RemoteFleet(
+            RemoteRequests server,
+            Supplier<OperatorModels> models,
+            Supplier<Optional<LostLinkAction>> wish,
+            Supplier<Optional<TicketedBase>> holder) {
         this.server = server;
+        this.wish = wish;
         this.holder = holder;
         this.models = models;
     }
@@ -109,6 +121,12 @@ final class RemoteFleet implements FrontFleet {
     }
 
     @Override
+    public CompletionStage<List<LinkStatus>> linkStatuses(String boat) {
+        return server.ask(ServerRequests.message("linkStatuses").put("boat", boat))
+                .thenApply(done -> LinkStatusJson.read(done.path("links")));
+    }
+
+    @Override
     public BoatFileSource files(LinkedBoat boat) {
         return new RemoteBoatFiles(boat, holder);
     }
@@ -162,24 +180,46 @@ final class RemoteFleet implements FrontFleet {
         return ServerRequests.message("set").put("boat", boat).put("setting", which);
     }
 
+    /** Asks for a setting; completes when the boat has taken it, and shows it here. */
+    private CompletionStage<Void> set(ObjectNode setting, Predicate<BoatTuning> as) {
+        String boat = setting.path("boat").asText();
+        return server.onFront(server.ask(setting)
+                .thenCompose(done -> ShownSettings.of(models.get().fleet(), boat, as)));
+    }
+
     @Override
     public CompletionStage<Void> setGains(String boat, GainAxis axis, Gains gains) {
-        return server.ask(setting(boat, axis.name().toLowerCase(Locale.ROOT))
+        return set(
+                setting(boat, axis.name().toLowerCase(Locale.ROOT))
                         .put("p", gains.proportional())
                         .put("i", gains.integral())
-                        .put("d", gains.derivative()))
-                .thenAccept(done -> {});
+                        .put("d", gains.derivative()),
+                own -> gains.equals(axis == GainAxis.HEADING ? own.heading() : own.speed()));
     }
 
     @Override
     public CompletionStage<Void> setVelocityMultiplier(String boat, double multiplier) {
-        return server.ask(setting(boat, "velocity").put("multiplier", multiplier))
-                .thenAccept(done -> {});
+        return set(
+                setting(boat, "velocity").put("multiplier", multiplier), own -> own.velocityMultiplier() == multiplier);
     }
 
     @Override
     public CompletionStage<Void> setLostLinkAction(String boat, LostLinkAction action) {
-        return server.ask(setting(boat, "lost-link").put("action", action.name().toLowerCase(Locale.ROOT)))
+        return set(
+                setting(boat, "lost-link").put("action", action.name().toLowerCase(Locale.ROOT)),
+                own -> own.lostLinkAction() == action);
+    }
+
+    @Override
+    public Optional<LostLinkAction> lostLinkWish() {
+        return wish.get();
+    }
+
+    @Override
+    public CompletionStage<Void> wishLostLink(Optional<LostLinkAction> action) {
+        return server.ask(ServerRequests.message("set")
+                        .put("setting", "lost-link-wish")
+                        .put("action", LostLinkWishRows.word(action)))
                 .thenAccept(done -> {});
     }
 

@@ -16,9 +16,9 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.sami.crw.replay.FollowJson;
-import org.sami.crw.session.archive.PictureRows;
-import org.sami.crw.session.picture.SessionPictures;
+import org.sami.session.follow.FollowJson;
+import org.sami.session.record.PictureRows;
+import org.sami.session.record.SessionPictures;
 import org.sami.spn.journal.TelemetryRow;
 
 /**

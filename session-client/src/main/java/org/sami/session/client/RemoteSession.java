@@ -8,32 +8,24 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ThreadFactory;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.operator.OperatorModels;
-import org.sami.crw.replay.FollowedSession;
-import org.sami.crw.session.DraftJudge;
-import org.sami.crw.session.FrontFleet;
-import org.sami.crw.session.FrontSession;
-import org.sami.crw.session.GuidedBoats;
-import org.sami.crw.session.RefusedException;
-import org.sami.crw.session.Session;
+import org.sami.session.api.DraftJudge;
+import org.sami.session.api.FrontFleet;
+import org.sami.session.api.FrontSession;
+import org.sami.session.api.GuidedBoats;
+import org.sami.session.api.RefusedException;
+import org.sami.session.follow.FollowedSession;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.Registration;
-import org.sami.spn.json.ProtocolJson;
 import org.sami.spn.model.Project;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
@@ -52,11 +44,10 @@ import org.sami.spn.vocabulary.Vocabulary;
  */
 public final class RemoteSession implements FrontSession, AutoCloseable {
     private final Login login;
-    private final Executor front;
-    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(named("session link"));
-    private final ExecutorService computing = Executors.newSingleThreadExecutor(named("map"));
-    private final RemoteFleet fleet = new RemoteFleet(this::ask, this::models, this::holder);
+    private final LinkThreads threads = new LinkThreads();
     private final SessionFollower follower;
+    private final RemoteRequests requests;
+    private final RemoteFleet fleet;
     private final AtomicBoolean closed = new AtomicBoolean();
 
     private RemoteSession(
@@ -67,17 +58,10 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
             RemoteListener listener,
             Supplier<LocalTime> wallClock) {
         this.login = login;
-        this.front = front;
+        requests = new RemoteRequests(this::send, front);
+        fleet = new RemoteFleet(requests, this::models, () -> followed().lostLinkWish(), this::holder);
         follower = new SessionFollower(
-                bases, login, trust, front, computing, listener, wallClock, thread, fleet::disconnected);
-    }
-
-    private static ThreadFactory named(String name) {
-        return work -> {
-            Thread one = new Thread(work, name);
-            one.setDaemon(true);
-            return one;
-        };
+                bases, login, trust, front, threads.map(), listener, wallClock, threads.link(), fleet::disconnected);
     }
 
     /**
@@ -113,7 +97,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     /** Fetches the pictures of the session's boats from now on, as somebody wants to see them. */
     public void fetchPictures() {
-        thread.execute(follower::wantPictures);
+        threads.link().execute(follower::wantPictures);
     }
 
     /** The base that serves it, or did last. */
@@ -131,42 +115,16 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         return follower.rights();
     }
 
+    private CompletionStage<JsonNode> send(ObjectNode message) {
+        return follower.request(message);
+    }
+
     private Optional<TicketedBase> holder() {
         return follower.holder();
     }
 
     private FollowedSession followed() {
         return follower.shown().join().followed();
-    }
-
-    // ---- requests
-
-    /** Asks the server for something; its reply arrives on the front's executor, after what followed from it. */
-    private CompletionStage<JsonNode> ask(ObjectNode message) {
-        return onFront(follower.request(message));
-    }
-
-    private <T> CompletionStage<T> onFront(CompletionStage<T> result) {
-        CompletableFuture<T> arrived = new CompletableFuture<>();
-        result.whenComplete((value, fault) -> front.execute(() -> {
-            if (fault == null) {
-                arrived.complete(value);
-            } else {
-                arrived.completeExceptionally(
-                        fault instanceof CompletionException && fault.getCause() != null ? fault.getCause() : fault);
-            }
-        }));
-        return arrived;
-    }
-
-    private CompletionStage<Void> post(Input input) {
-        return reply(input).thenAccept(done -> {});
-    }
-
-    private CompletionStage<JsonNode> reply(Input input) {
-        ObjectNode message = ServerRequests.message("input");
-        message.set("input", ProtocolJson.input(input));
-        return ask(message);
     }
 
     // ---- what is seen and asked
@@ -193,12 +151,12 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     @Override
     public <T> CompletionStage<T> ask(Function<EngineView, T> question) {
-        return onFront(CompletableFuture.supplyAsync(() -> followed().ask(question), thread));
+        return requests.onFront(CompletableFuture.supplyAsync(() -> followed().ask(question), threads.link()));
     }
 
     @Override
     public CompletionStage<Void> caughtUp() {
-        return ask(ServerRequests.message("ping")).thenCompose(done -> models().shown());
+        return requests.ask(ServerRequests.message("ping")).thenCompose(done -> models().shown());
     }
 
     @Override
@@ -208,12 +166,12 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     @Override
     public CompletionStage<Optional<List<GeoPoint>>> way(long mission, String boat, GeoPath path) {
-        return onFront(CompletableFuture.supplyAsync(() -> followed().start(boat), thread)
+        return requests.onFront(CompletableFuture.supplyAsync(() -> followed().start(boat), threads.link())
                 .thenCombineAsync(
                         CompletableFuture.supplyAsync(
-                                () -> followed().ask(view -> WayLimits.of(mission, view)), thread),
+                                () -> followed().ask(view -> WayLimits.of(mission, view)), threads.link()),
                         (start, limits) -> start.map(one -> one.way(path, limits)),
-                        computing));
+                        threads.map()));
     }
 
     /** Which boats wait is known to the session's handlers only. */
@@ -226,69 +184,69 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     @Override
     public CompletionStage<Long> start(String plan, String name, Map<String, Value> parameters) {
-        return reply(new Input.StartMission(plan, name, parameters))
+        return requests.input(new Input.StartMission(plan, name, parameters))
                 .thenApply(done -> done.path("mission").asLong());
     }
 
     @Override
     public CompletionStage<Void> abort(long mission) {
-        return post(new Input.AbortMission(mission));
+        return requests.post(new Input.AbortMission(mission));
     }
 
     @Override
     public CompletionStage<Void> abortAll() {
-        return post(new Input.AbortMission(Ids.NONE));
+        return requests.post(new Input.AbortMission(Ids.NONE));
     }
 
     @Override
     public CompletionStage<Void> complete(long mission) {
-        return post(new Input.CompleteMission(mission));
+        return requests.post(new Input.CompleteMission(mission));
     }
 
     @Override
     public CompletionStage<Void> press(String interrupt, long mission, List<String> boats) {
-        return post(new Input.Interrupt(mission, interrupt, boats));
+        return requests.post(new Input.Interrupt(mission, interrupt, boats));
     }
 
     @Override
     public CompletionStage<List<String>> answerJudged(Decision decision, Answer answer, String by) {
-        return reply(new Input.AnswerDecision(decision.id(), answer, Answerer.OPERATOR))
+        return requests.input(new Input.AnswerDecision(decision.id(), answer, Answerer.OPERATOR))
                 .thenApply(done -> LinkRowReader.texts(done.path("warnings")));
     }
 
     @Override
     public CompletionStage<Void> answer(long decision, Answer answer, String by) {
-        return post(new Input.AnswerDecision(decision, answer, Answerer.OPERATOR));
+        return requests.post(new Input.AnswerDecision(decision, answer, Answerer.OPERATOR));
     }
 
     @Override
     public DraftJudge drafts() {
-        return new RemoteDrafts(this::ask);
+        return new RemoteDrafts(requests::ask);
     }
 
     @Override
     public GuidedBoats byHand() {
-        return new RemoteByHand(this::ask, fleet);
+        return new RemoteByHand(requests::ask, fleet);
     }
 
     @Override
     public CompletionStage<Void> hold(long decision) {
-        return post(new Input.HoldDecision(decision));
+        return requests.post(new Input.HoldDecision(decision));
     }
 
     @Override
     public CompletionStage<Void> sendAgain(long mission) {
-        return ask(ServerRequests.message("again").put("mission", mission)).thenAccept(done -> {});
+        return requests.tell(ServerRequests.message("again").put("mission", mission));
     }
 
     @Override
     public CompletionStage<Void> setVariable(long mission, String variable, Value value) {
-        return post(new Input.SetVariable(mission, variable, value));
+        return requests.post(new Input.SetVariable(mission, variable, value));
     }
 
     @Override
     public CompletionStage<Void> drop(String boat, long mission) {
-        return post(new Input.ProxyDropped(boat, mission));
+        return requests.post(new Input.ProxyDropped(boat, mission));
     }
 
     @Override
@@ -298,14 +256,14 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
 
     @Override
     public CompletionStage<Void> moveTask(TaskId task, Optional<String> boat) {
-        return post(new Input.AllocateTasks(Map.of(task, boat)));
+        return requests.post(new Input.AllocateTasks(Map.of(task, boat)));
     }
 
     @Override
     public CompletionStage<Void> addNote(String text, Optional<GeoPoint> position) {
         ObjectNode note = ServerRequests.message("note").put("text", text);
         position.ifPresent(at -> note.put("lat", at.latDeg()).put("lon", at.lonDeg()));
-        return ask(note).thenAccept(done -> {});
+        return requests.tell(note);
     }
 
     @Override
@@ -313,26 +271,11 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         return fleet;
     }
 
-    @Override
-    public Optional<Session> inProcess() {
-        return Optional.empty();
-    }
-
     /** Leaves the session, which goes on. */
     @Override
     public void close() {
-        if (!closed.compareAndSet(false, true)) {
-            return;
-        }
-        thread.execute(follower::close);
-        thread.shutdown();
-        computing.shutdown();
-        try {
-            if (!thread.awaitTermination(2, TimeUnit.SECONDS)) {
-                thread.shutdownNow();
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+        if (closed.compareAndSet(false, true)) {
+            threads.end(follower::close);
         }
     }
 }

@@ -15,9 +15,9 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import org.sami.crw.operator.FollowFeed;
 import org.sami.crw.proxy.status.BoatTuning;
-import org.sami.crw.replay.BoatSample;
-import org.sami.crw.replay.FollowJson;
-import org.sami.crw.replay.FollowedSession;
+import org.sami.session.follow.BoatSample;
+import org.sami.session.follow.FollowJson;
+import org.sami.session.follow.FollowedSession;
 import org.sami.spn.engine.RuleVersion;
 import org.sami.spn.host.HostState;
 import org.sami.spn.journal.JournalAddress;
@@ -155,8 +155,10 @@ final class SessionCopy {
                     .forEach(row -> LinkRowReader.settings(row)
                             .ifPresent(known -> settings.put(row.path("id").asText(), known)));
         }
-        if (changed.contains("boats")) {
-            boats(message, now);
+        if (changed.contains("settings")) { // they are shown with the rest of a boat, which may be as it was
+            boats(tables.rows("boats"), now);
+        } else if (changed.contains("boats")) {
+            boats(message.path("set").path("boats"), now);
         }
         if (changed.contains("messages")) {
             feed.messages(
@@ -194,8 +196,8 @@ final class SessionCopy {
         return tables.rows("bases");
     }
 
-    private void boats(JsonNode message, long now) {
-        for (JsonNode row : message.path("set").path("boats")) {
+    private void boats(Iterable<JsonNode> rows, long now) {
+        for (JsonNode row : rows) {
             Optional<BoatSample> sample = LinkRowReader.boat(
                     row, now, Optional.ofNullable(settings.get(row.path("id").asText())));
             sample.ifPresent(one -> {

@@ -16,7 +16,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.operator.FollowFeed;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.json.UnreadableJsonException;
 
 /** Keeps the copy of a session up with what its server sends, over connections that may be lost. On the link's thread; {@link #request} and {@link #shown} from any. */

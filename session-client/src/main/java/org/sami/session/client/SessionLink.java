@@ -13,8 +13,8 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import org.sami.crw.replay.FollowJson;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.RefusedException;
+import org.sami.session.follow.FollowJson;
 
 /**
  * The link to a session's server (docs/session-link.md): logs in, sends requests and waits for their replies, connects again when the connection is lost, to whichever of the session's bases
@@ -25,15 +25,6 @@ final class SessionLink {
     private static final Duration COMPARING = Duration.ofSeconds(60); // somebody may compare a certificate meanwhile
     private static final Duration CONNECTING = Duration.ofSeconds(5);
     private static final long LOOK_MS = 250;
-    private static final long SILENT_NANOS = TimeUnit.SECONDS.toNanos(30);
-
-    /** Of a server that sends something twice a second: the lease is over after 3.5 s, the rest is for the other base to open the session. */
-    private static final long SILENT_BASE_NANOS = TimeUnit.SECONDS.toNanos(5);
-
-    /** Of such a server that is the only base: where packets are lost, a new connection gets through before one whose repetitions wait ever longer. */
-    private static final long SILENT_ONLY_BASE_NANOS = TimeUnit.SECONDS.toNanos(8);
-
-    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(1500);
 
     private final KnownBases bases;
     private final Login login;
@@ -42,13 +33,11 @@ final class SessionLink {
     private final LinkListener listener;
     private final ScheduledExecutorService thread;
     private final OpenRequests requests = new OpenRequests();
+    private final ServerPulse pulse = new ServerPulse();
     private final HolderSearch search;
     private Optional<LinkSocket> socket = Optional.empty();
-    private volatile long heardNanos = System.nanoTime();
     private boolean welcome; // logged in on this connection
     private boolean welcomed; // on any
-    private boolean beats; // the server sends something twice a second
-    private boolean quiet;
     private long epochHere; // of the base at hand, as it says
     private boolean over;
     private long attempt; // of connecting; what comes from an earlier one is left alone
@@ -87,7 +76,7 @@ final class SessionLink {
             return;
         }
         long now = ++attempt;
-        heardNanos = System.nanoTime();
+        pulse.heard();
         SessionAddress address = bases.current();
         Consumer<Runnable> ofThisAttempt = work -> execute(() -> {
             if (now == attempt && !over) {
@@ -99,7 +88,7 @@ final class SessionLink {
                         address,
                         welcomed ? CONNECTING : COMPARING,
                         text -> ofThisAttempt.accept(() -> take(text)),
-                        () -> heardNanos = System.nanoTime(),
+                        pulse::heard,
                         why -> ofThisAttempt.accept(() -> lose(why.isEmpty() ? "it was closed" : why)))
                 .whenComplete((connected, fault) -> execute(() -> {
                     if (now != attempt || over) {
@@ -149,8 +138,7 @@ final class SessionLink {
         }
         epochHere = epoch;
         trust.askNoLonger();
-        beats = message.path("beat").asLong() > 0;
-        quiet = false;
+        pulse.welcomed(message);
         welcome = true;
         welcomed = true;
         listener.welcomed(message);
@@ -208,24 +196,15 @@ final class SessionLink {
         if (over || socket.isEmpty()) {
             return;
         }
-        long silent = System.nanoTime() - heardNanos;
-        long longest = longestSilence();
-        if (silent > longest) {
-            lose("nothing came for " + TimeUnit.NANOSECONDS.toSeconds(longest) + " s", true);
-        } else if (beats && welcome && quiet != silent > QUIET_NANOS) {
-            quiet = !quiet;
-            listener.quiet(quiet);
+        Optional<String> silent = pulse.lost(welcome, bases.areSeveral());
+        if (silent.isPresent()) {
+            lose(silent.get(), true);
+        } else if (welcome) {
+            pulse.turned().ifPresent(listener::quiet);
         }
         if (welcome) {
             search.look(bases.others(), System.nanoTime());
         }
-    }
-
-    private long longestSilence() {
-        if (!beats || !welcome) {
-            return SILENT_NANOS;
-        }
-        return bases.areSeveral() ? SILENT_BASE_NANOS : SILENT_ONLY_BASE_NANOS;
     }
 
     /** Whether the base at hand says that nothing goes on in its session: another may hold it. On the link's thread. */

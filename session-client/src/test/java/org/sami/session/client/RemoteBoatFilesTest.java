@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.KeptFile;
 import org.sami.crw.proxy.file.FileFetchException;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.LinkedBoat;
+import org.sami.session.api.LinkedBoat;
 
 /** Which answers of a base end a fetch of logs, and after which it is tried again. */
 class RemoteBoatFilesTest {

@@ -23,12 +23,13 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.security.Identity;
 import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.operator.mission.MissionSnapshot;
-import org.sami.crw.session.FrontSession;
 import org.sami.crw.session.Session;
+import org.sami.session.api.FrontSession;
 import org.sami.session.client.testing.FrontNotices;
 import org.sami.session.person.PeopleFile;
 import org.sami.session.person.PersonRole;
@@ -219,6 +220,40 @@ class RemoteSessionTest {
         get(otto.caughtUp());
 
         assertThat(session.models().fleetStop().snapshot().everyBoat()).isTrue();
+    }
+
+    @Test
+    void whatIsWishedOfBoatsWithoutALinkIsKnownHereAndChangedFromHere() throws Exception {
+        session.fleet().wish(Optional.of(LostLinkAction.HOLD));
+        RemoteSession anna = open("anna");
+        RemoteSession ben = open("ben");
+        assertThat(anna.fleet().lostLinkWish()).contains(LostLinkAction.HOLD);
+
+        get(anna.fleet().wishLostLink(Optional.of(LostLinkAction.RETURN)));
+
+        assertThat(anna.fleet().lostLinkWish()).contains(LostLinkAction.RETURN);
+        assertThat(session.fleet().lostLinkWish()).contains(LostLinkAction.RETURN);
+        get(ben.caughtUp());
+        assertThat(ben.fleet().lostLinkWish()).contains(LostLinkAction.RETURN);
+
+        get(ben.fleet().wishLostLink(Optional.empty()));
+        get(anna.caughtUp());
+
+        assertThat(anna.fleet().lostLinkWish()).isEmpty();
+        assertThat(open("otto").fleet().lostLinkWish()).isEmpty();
+    }
+
+    @Test
+    void observerKnowsWhatIsWishedAndDoesNotChangeIt() throws Exception {
+        RemoteSession otto = open("otto");
+
+        assertThat(refusal(otto.fleet().wishLostLink(Optional.of(LostLinkAction.DRIFT))))
+                .isEqualTo("The role observer of otto does not have the right 'setup'");
+
+        assertThat(session.fleet().lostLinkWish()).isEmpty();
+        get(session.fleet().wishLostLink(Optional.of(LostLinkAction.RETURN)));
+        get(otto.caughtUp());
+        assertThat(otto.fleet().lostLinkWish()).contains(LostLinkAction.RETURN);
     }
 
     @Test

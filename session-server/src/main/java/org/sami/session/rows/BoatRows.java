@@ -104,7 +104,8 @@ final class BoatRows {
                                 "",
                                 settings.board())
                         .with(settings.performance())
-                        .with(settings.capabilities());
+                        .with(settings.capabilities())
+                        .withActionBy(settings.lostLinkBy());
                 table.row(boat.boat()).put("report", Base64.getEncoder().encodeToString(LinkCodec.body(report)));
             });
         }

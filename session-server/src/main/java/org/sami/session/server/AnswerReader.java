@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.json.Reading;
 import org.sami.spn.json.ValueJson;
 import org.sami.spn.protocol.Answer;

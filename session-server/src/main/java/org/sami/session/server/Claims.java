@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.RefusedException;
 
 /** Who drives which boat by hand. For one thread. */
 final class Claims {

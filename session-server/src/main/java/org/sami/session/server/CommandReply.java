@@ -4,9 +4,11 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
-import org.sami.crw.judgement.Judgement;
-import org.sami.crw.session.LinkedBoat;
-import org.sami.crw.session.WayByHand;
+import org.sami.crw.proxy.gateway.LinkStatus;
+import org.sami.session.api.Judgement;
+import org.sami.session.api.LinkedBoat;
+import org.sami.session.api.WayByHand;
+import org.sami.session.record.LinkStatusJson;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -49,6 +51,13 @@ record CommandReply(String text, ObjectNode more) {
         boats.forEach(one -> links.addObject()
                 .put("boat", one.boat())
                 .put("address", one.address().toString()));
+        return reply;
+    }
+
+    /** With the links on which a vehicle is reached, as {@code links}. */
+    static CommandReply ofLinkStatuses(List<LinkStatus> statuses) {
+        CommandReply reply = of("");
+        reply.more.set("links", LinkStatusJson.write(statuses));
         return reply;
     }
 

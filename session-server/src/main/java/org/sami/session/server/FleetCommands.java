@@ -3,7 +3,7 @@ package org.sami.session.server;
 import java.util.concurrent.CompletionStage;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Fleet;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.RefusedException;
 import org.sami.session.person.Person;
 import org.sami.session.person.Right;
 import org.sami.spn.value.GeoPoint;
@@ -63,7 +63,8 @@ final class FleetCommands {
             }
             default ->
                 throw new MalformedMessageException(
-                        "'do' is stop, release, take, ask, watch, give, clear, cancel, resend, connect, disconnect or add");
+                        "'do' is stop, release, take, ask, watch, give, clear, cancel, resend, connect, disconnect or"
+                                + " add");
         }
     }
 

@@ -8,8 +8,8 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
-import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
+import org.sami.session.api.RefusedException;
 import org.sami.session.rows.Table;
 import org.sami.spn.journal.JournalHeader;
 

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
+import org.sami.session.api.RefusedException;
 import org.sami.session.person.Person;
 import org.sami.session.person.Right;
 import org.sami.spn.value.GeoPoint;
@@ -84,6 +84,8 @@ final class FrontCommands {
                 Rights.require(person, Right.DRIVE);
                 yield session.fleet().linkedBoats().thenApply(CommandReply::ofLinked);
             }
+            case "linkStatuses" ->
+                session.fleet().linkStatuses(message.text("boat")).thenApply(CommandReply::ofLinkStatuses);
             case "layer" -> layers.layer(message);
             case "ping" -> CompletableFuture.completedFuture(CommandReply.DONE);
             default -> throw new MalformedMessageException("'" + message.type() + "' comes first and once");

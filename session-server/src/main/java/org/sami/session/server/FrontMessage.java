@@ -15,7 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.value.GeoPoint;
 
 /**
@@ -61,6 +61,7 @@ record FrontMessage(String type, long id, JsonNode body) {
             Map.entry("boat", Set.of("do", "boat", "client", "command", "address", "lat", "lon", "count")),
             Map.entry("set", Set.of("boat", "setting", "p", "i", "d", "multiplier", "action")),
             Map.entry("linkedBoats", Set.of()),
+            Map.entry("linkStatuses", Set.of("boat")),
             Map.entry("layer", Set.of("sensor", "visualization")),
             Map.entry("note", Set.of("text", "lat", "lon")),
             Map.entry("ping", Set.of()));

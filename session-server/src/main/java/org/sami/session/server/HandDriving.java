@@ -4,8 +4,8 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
+import org.sami.session.api.RefusedException;
 import org.sami.session.person.Person;
 
 /** Drives boats by hand for people who claim them. A boat whose driver falls silent gets no thrust; one whose driver leaves is given back. For the server's thread. */

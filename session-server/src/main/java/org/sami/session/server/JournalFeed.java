@@ -15,8 +15,9 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import org.sami.crw.replay.FollowJson;
 import org.sami.crw.session.Session;
+import org.sami.session.follow.FollowJson;
+import org.sami.session.record.LostLinkWishRows;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.host.HostState;
@@ -138,6 +139,12 @@ final class JournalFeed implements HostListener, AutoCloseable {
         return newer;
     }
 
+    /** What is wished now, which may stand in the journal's settings alone; a later change is also an item. */
+    private TelemetryRow wish(long nowMillis) {
+        String wish = LostLinkWishRows.json(session.fleet().lostLinkWish()).toString();
+        return new TelemetryRow(nowMillis, "", LostLinkWishRows.KIND, wish);
+    }
+
     /** Whether items after a number, which a front at that number lacks, are kept no longer. */
     synchronized boolean lacks(long number) {
         return !has(id, number);
@@ -162,6 +169,7 @@ final class JournalFeed implements HostListener, AutoCloseable {
             documents.forEach(message.putObject("documents")::put);
             ArrayNode list = message.putArray("rows");
             rows.upTo(number).forEach(row -> list.add(FollowJson.write(row)));
+            list.add(FollowJson.write(wish(nowMillis)));
         }
         return message;
     }

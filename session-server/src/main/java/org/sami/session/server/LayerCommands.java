@@ -8,8 +8,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import org.sami.crw.markup.MapRelevance.Visualization;
 import org.sami.crw.operator.map.SensorLayer;
-import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
+import org.sami.session.api.RefusedException;
 import org.sami.session.rows.LayerJson;
 
 /** Layers of readings that fronts ask for; one that was computed a moment ago is given again. For the server's thread. */

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.session.Fleet;
-import org.sami.crw.session.LinkedBoat;
+import org.sami.session.api.LinkedBoat;
 
 /** The boats whose logs are served. From any thread. */
 interface LogBoats {

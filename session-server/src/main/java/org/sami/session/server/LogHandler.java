@@ -18,9 +18,9 @@ import org.sami.boat.link.KeptFile;
 import org.sami.boat.link.security.LinkRefusedException;
 import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.file.FileFetchException;
-import org.sami.crw.session.LinkedBoat;
-import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.fault.ThreadGuard;
+import org.sami.session.api.LinkedBoat;
+import org.sami.session.api.RefusedException;
 import org.sami.session.person.Person;
 import org.sami.session.person.Right;
 

@@ -7,8 +7,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import org.sami.crw.session.archive.OperatorLogRows;
-import org.sami.crw.session.archive.PictureRows;
+import org.sami.session.record.OperatorLogRows;
+import org.sami.session.record.PictureRows;
 import org.sami.spn.journal.TelemetryRow;
 
 /**

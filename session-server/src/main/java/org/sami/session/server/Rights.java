@@ -1,6 +1,6 @@
 package org.sami.session.server;
 
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.RefusedException;
 import org.sami.session.person.Person;
 import org.sami.session.person.Right;
 

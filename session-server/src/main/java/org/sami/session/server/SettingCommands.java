@@ -1,14 +1,17 @@
 package org.sami.session.server;
 
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
-import org.sami.crw.session.FrontFleet;
-import org.sami.crw.session.RefusedException;
+import org.sami.crw.session.LostLinkWish;
+import org.sami.session.api.FrontFleet;
+import org.sami.session.api.RefusedException;
 import org.sami.session.person.Person;
 import org.sami.session.person.Right;
+import org.sami.session.record.LostLinkWishRows;
 
 /** Sets what people ask of boats' settings, one at a time; the reply comes when the boat has taken it. For the server's thread. */
 final class SettingCommands {
@@ -28,8 +31,12 @@ final class SettingCommands {
      */
     CompletionStage<CommandReply> carryOut(Person person, FrontMessage message) throws MalformedMessageException {
         Rights.require(person, Right.SETUP);
-        String boat = message.text("boat");
         String setting = message.text("setting");
+        if (setting.equals("lost-link-wish")) {
+            Optional<LostLinkAction> wish = wish(message.text("action"));
+            return news.noted(person, LostLinkWish.words(wish), fleet.wishLostLink(wish));
+        }
+        String boat = message.text("boat");
         return switch (setting) {
             case "heading", "speed" -> {
                 Gains gains = gains(message);
@@ -52,7 +59,9 @@ final class SettingCommands {
                         "set " + boat + " to " + action.name().toLowerCase(Locale.ROOT) + " when its link is lost",
                         fleet.setLostLinkAction(boat, action));
             }
-            default -> throw new MalformedMessageException("'setting' is heading, speed, velocity or lost-link");
+            default ->
+                throw new MalformedMessageException(
+                        "'setting' is heading, speed, velocity, lost-link or lost-link-wish");
         };
     }
 
@@ -68,11 +77,16 @@ final class SettingCommands {
     }
 
     private static LostLinkAction action(String word) throws MalformedMessageException {
-        for (LostLinkAction action : LostLinkAction.values()) {
-            if (action.name().toLowerCase(Locale.ROOT).equals(word)) {
-                return action;
-            }
+        return LostLinkWishRows.action(word)
+                .orElseThrow(() -> new MalformedMessageException("'action' is hold, return, continue or drift"));
+    }
+
+    private static Optional<LostLinkAction> wish(String word) throws MalformedMessageException {
+        if (LostLinkWishRows.isNothing(word)) {
+            return Optional.empty();
         }
-        throw new MalformedMessageException("'action' is hold, return, continue or drift");
+        return Optional.of(LostLinkWishRows.action(word)
+                .orElseThrow(
+                        () -> new MalformedMessageException("'action' is hold, return, continue, drift or nothing")));
     }
 }

@@ -8,10 +8,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /** The types of rows that the page is checked against are those of docs/session-link.md. */
@@ -38,6 +42,33 @@ class PageProtocolTest {
     }
 
     @Test
+    void membersThatADescriptionNamesStandInTheRowsThatThePageKnows() {
+        List<String> missing = new ArrayList<>();
+
+        members("Tables").forEach((table, member) -> {
+            boolean isDecision = table.equals("decisions");
+            Set<String> known = isDecision
+                    ? Stream.of("YesNoDecision", "BoatsDecision", "OptionDecision", "FieldsDecision")
+                            .flatMap(form -> membersWithInherited(form).stream())
+                            .collect(Collectors.toSet())
+                    : membersWithInherited(member.type());
+            Set<String> described = isDecision ? describedOfDecisions() : namedIn(rowOf(table));
+            assertThat(described).as(table).contains("id");
+            described.stream().filter(name -> !known.contains(name)).forEach(name -> missing.add(table + "." + name));
+        });
+
+        assertThat(missing).isEmpty();
+    }
+
+    @Test
+    void membersAreThoseBeforeADescriptionExplainsThem() {
+        assertThat(namedIn("`id`, `lat`° `lon`°, `stop`° (`here`, `elsewhere`), `pictures`: `[{\"name\"}]`, `state` is"
+                        + " `coming` |"))
+                .containsExactly("id", "lat", "lon", "stop", "pictures");
+        assertThat(namedIn("`id`, `severity`. One row a fault of `kind` |")).containsExactly("id", "severity");
+    }
+
+    @Test
     void aMemberThatIsNotDescribedIsFound() {
         List<String> wrong = new ArrayList<>();
 
@@ -57,6 +88,37 @@ class PageProtocolTest {
                 wrong.add(table + "." + name + ": only one says that it may be absent");
             }
         });
+    }
+
+    /** The members that a row of the table of tables names: its words in code outside of parentheses, up to where it begins to explain. */
+    private static Set<String> namedIn(String described) {
+        Set<String> names = new LinkedHashSet<>();
+        String plain = described.replaceAll("\\([^()]*\\)", "").replaceAll("\\([^()]*\\)", "");
+        Matcher each = Pattern.compile("`(\\w+)`|(: |\\. )").matcher(plain);
+        while (each.find() && each.group(2) == null) {
+            names.add(each.group(1));
+        }
+        return names;
+    }
+
+    /** Those in the first cells of the table of a decision's members. */
+    private Set<String> describedOfDecisions() {
+        String section = page.substring(page.indexOf("### Decisions"), page.indexOf("Types of fields"));
+        Set<String> names = new LinkedHashSet<>();
+        Matcher row = Pattern.compile("(?m)^\\| (`[^|]*) \\|").matcher(section);
+        while (row.find()) {
+            names.addAll(namedIn(row.group(1)));
+        }
+        return names;
+    }
+
+    private Set<String> membersWithInherited(String type) {
+        Set<String> names = new LinkedHashSet<>(members(type).keySet());
+        Matcher head = Pattern.compile("interface " + type + " extends (\\w+)").matcher(types);
+        if (head.find()) {
+            names.addAll(membersWithInherited(head.group(1)));
+        }
+        return names;
     }
 
     private record Member(String type, boolean mayBeAbsent) {}

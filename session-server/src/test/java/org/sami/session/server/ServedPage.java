@@ -31,6 +31,7 @@ final class ServedPage implements AutoCloseable {
         session = Session.open(SessionSetup.of(LIBRARY.vocabulary(), project));
         PeopleFile people = new PeopleFile(folder.resolve("people"));
         people.add(new Person("anna", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of anna")));
+        people.add(new Person("ben", PersonRole.OPERATOR, List.of(), PersonKey.hash("key of ben")));
         server = SessionServer.start(session, people, ServerAddress.onThisMachine(0));
         session.begin();
         browser = new TestBrowser(program.get(), folder.resolve("profile"));

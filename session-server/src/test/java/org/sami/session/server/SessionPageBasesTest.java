@@ -85,6 +85,11 @@ class SessionPageBasesTest {
         browser.until(STATE + ".includes('anna (operator)')");
     }
 
+    /** Whether the page has been told of a base. */
+    private static String knows(int port) {
+        return "(localStorage.getItem('bases') ?? '').includes('127.0.0.1:" + port + "')";
+    }
+
     @Test
     void pageGoesOnAtTheBaseThatTakesOverWithWhatIsHalfFilledIn() throws Exception {
         join(holder.url());
@@ -146,6 +151,7 @@ class SessionPageBasesTest {
             int second = standby.listensAt().getPort();
             join(holder.url());
             browser.until("document.querySelector('.leaflet-tile') === null"); // the first base has no map
+            browser.until(knows(second)); // told with the first rows, after the welcome
 
             holder.close();
             standby.close();

@@ -271,10 +271,14 @@ class SessionPageTest {
     }
 
     @Test
-    void everyFileThatThePageNeedsIsServed() throws Exception {
+    void everyFileThatThePageNeedsIsServedAndNoneComesFromElsewhere() throws Exception {
         page.join();
 
         browser.until("performance.getEntriesByType('resource').length > 6");
+        assertThat(browser.value("performance.getEntriesByType('resource').map(one => one.name)"
+                                + ".filter(one => !one.startsWith(location.origin + '/')).join()")
+                        .asText())
+                .isEmpty();
         assertThat(browser.value("performance.getEntriesByType('resource').filter(one => one.responseStatus >= 400)"
                                 + ".map(one => one.name).join()")
                         .asText())

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.operator.OperatorLogEntry;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.session.Session;
 import org.sami.session.person.PersonRole;
@@ -91,6 +92,38 @@ class SettingCommandsTest {
     }
 
     @Test
+    void wishOfTheSessionIsOneForAllBoatsAndSetsNone() throws Exception {
+        TestFront anna = login("anna");
+        LostLinkAction before = inForce().lostLinkAction();
+
+        anna.send("{\"t\":\"set\",\"id\":1,\"setting\":\"lost-link-wish\",\"action\":\"return\"}");
+        assertThat(anna.reply(1).path("t").asText()).isEqualTo("done");
+
+        assertThat(session.fleet().lostLinkWish()).contains(LostLinkAction.RETURN);
+        assertThat(inForce().lostLinkAction()).isEqualTo(before).isNotEqualTo(LostLinkAction.RETURN);
+        session.models().shown().toCompletableFuture().get();
+        assertThat(session.models().log().snapshot())
+                .extracting(OperatorLogEntry::text)
+                .contains("anna wished that boats return when their link is lost");
+
+        anna.send("{\"t\":\"set\",\"id\":2,\"setting\":\"lost-link-wish\",\"action\":\"nothing\"}");
+        assertThat(anna.reply(2).path("t").asText()).isEqualTo("done");
+        assertThat(session.fleet().lostLinkWish()).isEmpty();
+    }
+
+    @Test
+    void wishThatIsNoneIsRefusedInWordsAndTheSessionKeepsItsOwn() throws Exception {
+        session.fleet().wish(Optional.of(LostLinkAction.HOLD));
+        TestFront anna = login("anna");
+
+        anna.send("{\"t\":\"set\",\"id\":1,\"setting\":\"lost-link-wish\",\"action\":\"swim\"}");
+
+        JsonNode refused = anna.until(message -> message.path("bad").asBoolean());
+        assertThat(refused.path("text").asText()).isEqualTo("'action' is hold, return, continue, drift or nothing");
+        assertThat(session.fleet().lostLinkWish()).contains(LostLinkAction.HOLD);
+    }
+
+    @Test
     void whoDrivesBoatsDoesNotSetThemUp() throws Exception {
         TestFront paul = login("paul");
 
@@ -98,5 +131,9 @@ class SettingCommandsTest {
 
         assertThat(paul.reply(1).path("text").asText())
                 .isEqualTo("The role pilot of paul does not have the right 'setup'");
+        paul.send("{\"t\":\"set\",\"id\":2,\"setting\":\"lost-link-wish\",\"action\":\"return\"}");
+        assertThat(paul.reply(2).path("text").asText())
+                .isEqualTo("The role pilot of paul does not have the right 'setup'");
+        assertThat(session.fleet().lostLinkWish()).isEmpty();
     }
 }

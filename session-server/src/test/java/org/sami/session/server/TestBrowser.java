@@ -109,9 +109,16 @@ final class TestBrowser implements AutoCloseable {
         return result.path("result").path("result").path("value");
     }
 
-    /** Waits until an expression is true. */
+    /** Waits until an expression is true; else says what the page shows. */
     void until(String expression) {
-        Await.until(expression, () -> value(expression).asBoolean());
+        try {
+            Await.until(expression, () -> value(expression).asBoolean());
+        } catch (AssertionError tooLate) {
+            throw new AssertionError(
+                    tooLate.getMessage() + "; the page shows: "
+                            + value("document.body.innerText").asText(),
+                    tooLate);
+        }
     }
 
     /** Waits for an element and clicks it. */

@@ -62,6 +62,9 @@ final class TestFront implements WebSocket.Listener {
             if (which.test(message)) {
                 return message;
             }
+            if (message.path("t").asText().equals("closed")) {
+                throw new IllegalStateException("the server has closed it: " + text);
+            }
         }
     }
 
@@ -100,7 +103,11 @@ final class TestFront implements WebSocket.Listener {
 
     @Override
     public CompletionStage<?> onClose(WebSocket from, int code, String reason) {
-        received.add("{\"t\":\"closed\",\"code\":" + code + "}");
+        received.add(JSON.createObjectNode()
+                .put("t", "closed")
+                .put("code", code)
+                .put("reason", reason)
+                .toString());
         return null;
     }
 

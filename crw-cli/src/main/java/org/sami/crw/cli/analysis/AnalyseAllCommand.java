@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.sami.crw.cli.option.DepthOption;
 import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.option.SecondsConverter;
@@ -43,7 +44,7 @@ import picocli.CommandLine.Spec;
             "5:a search ended before all was known"
         },
         footerHeading = "%nExamples:%n",
-        footer = {"  crw analyse-all", "  crw analyse-all my-plan.json --boats 1,2,8"})
+        footer = {"  crw analyse-all", "  crw analyse-all my-plan.json --boats 1,2,8", "  crw analyse-all --depth 1"})
 public final class AnalyseAllCommand implements Callable<Integer> {
     private static final int STANDARD_STATES = 50_000;
 
@@ -69,6 +70,9 @@ public final class AnalyseAllCommand implements Callable<Integer> {
             description = "How many boats there are at the start. Default: ${DEFAULT-VALUE}.")
     private List<Integer> boats = new ArrayList<>();
 
+    @Mixin
+    private DepthOption depth = new DepthOption();
+
     @Option(
             names = "--time",
             paramLabel = "SECONDS",
@@ -93,6 +97,7 @@ public final class AnalyseAllCommand implements Callable<Integer> {
         if (states < 0 || states > SearchBudget.MOST_STATES) {
             throw new UsageFault("--states is 0 to " + SearchBudget.MOST_STATES + ", not " + states);
         }
+        int levels = depth.levels();
         Reading<DomainLibrary> words = domain.read();
         PrintWriter err = spec.commandLine().getErr();
         if (words.result().isEmpty()) {
@@ -114,7 +119,7 @@ public final class AnalyseAllCommand implements Callable<Integer> {
                     Runtime.getRuntime().maxMemory() / 2,
                     Duration.ofMillis(millis));
             AnalysedPlans analysed =
-                    new AnalysedPlans(library, budget, states == 0, SearchProgress.watch(progress, stop));
+                    new AnalysedPlans(library, budget, states == 0, levels, SearchProgress.watch(progress, stop));
             for (PlanSource source : sources) {
                 isRead &= source.project().isPresent();
                 if (source.project().isEmpty()) {

@@ -1,7 +1,5 @@
 package org.sami.crw.cli.analysis;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
@@ -12,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.sami.crw.cli.option.DepthOption;
 import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanOption;
 import org.sami.crw.cli.output.ExitCode;
@@ -19,18 +18,10 @@ import org.sami.crw.cli.output.ProgressDisplay;
 import org.sami.crw.cli.output.StopOnInterrupt;
 import org.sami.crw.cli.output.Terminal;
 import org.sami.crw.cli.output.UsageFault;
-import org.sami.petri.graph.GraphWatch;
-import org.sami.petri.graph.ReachabilitySearch;
 import org.sami.petri.graph.SearchBudget;
-import org.sami.petri.graph.SearchSettings;
 import org.sami.petri.net.PetriNet;
 import org.sami.petri.pnml.PnmlReading;
 import org.sami.petri.pnml.PnmlWriter;
-import org.sami.petri.query.NetQuery;
-import org.sami.petri.query.QueryFaultException;
-import org.sami.petri.query.QueryMeans;
-import org.sami.petri.query.QueryParser;
-import org.sami.petri.query.QueryRunner;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -73,8 +64,8 @@ import picocli.CommandLine.Spec;
         })
 public final class AnalyseCommand implements Callable<Integer> {
     private static final String BOATS = "--boats";
-    private static final List<String> ONLY_PLANS = List.of(BOATS, "--plan", "--domain");
-    private static final List<String> ONLY_NETS = List.of("--structure", "--symmetry", "--no-reduction", "--search");
+    private static final List<String> ONLY_PLANS = List.of(BOATS, "--depth", "--plan", "--domain");
+    private static final List<String> ONLY_NETS = List.of("--structure", "--symmetry", "--no-reduction");
 
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
@@ -98,6 +89,9 @@ public final class AnalyseCommand implements Callable<Integer> {
             defaultValue = "2",
             description = "With a plan: how many boats there are at the start. Default: ${DEFAULT-VALUE}.")
     private int boats;
+
+    @Mixin
+    private DepthOption depth = new DepthOption();
 
     @Option(names = "--query", paramLabel = "QUERY", description = "Answer this query; may be given several times.")
     private List<String> queries = new ArrayList<>();
@@ -139,25 +133,29 @@ public final class AnalyseCommand implements Callable<Integer> {
         }
     }
 
+    private PrintWriter err() {
+        return spec.commandLine().getErr();
+    }
+
+    /** The budget of several searches, as far as the heap has room. */
+    private SearchBudget fitted(SearchBudget budget) {
+        return HeapRoom.fitted(budget, true, err());
+    }
+
     private int analysePlan(SearchBudget budget) throws IOException {
-        Optional<PlanArgument> plan = PlanArgument.read(
-                name,
-                domain,
-                planOption.name(),
-                boats,
-                file != null,
-                spec.commandLine().getErr());
+        Optional<PlanArgument> plan =
+                PlanArgument.read(name, domain, planOption.name(), boats, depth.levels(), file != null, err());
         if (plan.isEmpty()) {
             return ExitCode.FINDINGS;
         }
         if (file != null) {
             return write(plan.get().net().net(), file);
         }
-        ProgressDisplay progress =
-                new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
+        ProgressDisplay progress = new ProgressDisplay(err(), Terminal.onStandardError(), System::nanoTime);
         PlanAnalysis analysis;
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            analysis = PlanAnalysis.of(plan.get(), queries, budget, SearchProgress.watch(progress, stop));
+            analysis = PlanAnalysis.of(
+                    plan.get(), queries, fitted(budget), options.asksStructure(), SearchProgress.watch(progress, stop));
             progress.end();
         }
         PrintWriter out = spec.commandLine().getOut();
@@ -173,113 +171,17 @@ public final class AnalyseCommand implements Callable<Integer> {
     private int analyseNet(SearchBudget budget) throws IOException {
         PnmlReading reading = NetArgument.read(name);
         PrintWriter out = spec.commandLine().getOut();
-        Optional<PetriNet> net = reading.net();
-        if (net.isEmpty()) {
-            if (json) {
-                out.println(AnalysisJson.of(name, reading.findings()).toPrettyString());
-            } else {
-                NetArgument.print(out, name, reading.findings());
-            }
-            out.flush();
-            return ExitCode.FINDINGS;
+        if (file != null && reading.net().isPresent()) {
+            NetArgument.print(err(), name, reading.findings());
+            return write(reading.net().get(), file);
         }
-        if (file != null) {
-            NetArgument.print(spec.commandLine().getErr(), name, reading.findings());
-            return write(net.get(), file);
-        }
-        if (structure) {
-            return structure(net.get(), reading, budget);
-        }
-        List<NetQuery> asked = parsed(net.get());
-        if (!json) {
-            NetArgument.print(out, name, reading.findings());
-            out.println(net.get());
-        }
-        List<NetAnalysis> analyses = analyses(net.get(), asked, budget);
-        print(out, reading, analyses);
-        out.flush();
-        if (analyses.stream().anyMatch(NetAnalysis::hasFound)) {
-            return ExitCode.FINDINGS;
-        }
-        return analyses.stream().anyMatch(NetAnalysis::isOpen) ? ExitCode.RUNNING : ExitCode.OK;
-    }
-
-    private int structure(PetriNet net, PnmlReading reading, SearchBudget budget) {
-        if (!queries.isEmpty()) {
+        if (structure && !queries.isEmpty() && reading.net().isPresent()) {
             throw new UsageFault("--structure answers no --query; without it queries are answered");
         }
-        PrintWriter out = spec.commandLine().getOut();
-        ProgressDisplay progress =
-                new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
-        StructureFacts facts;
-        try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            facts = StructureFacts.of(net, budget, SearchProgress.watch(progress, stop), stop);
-            progress.end();
-        }
-        if (json) {
-            ObjectNode object = AnalysisJson.of(name, reading.findings());
-            StructureJson.put(object, facts);
-            out.println(object.toPrettyString());
-        } else {
-            NetArgument.print(out, name, reading.findings());
-            out.println(net);
-            new StructureText(out, facts).print();
-        }
+        NetReport report = new NetReport(name, reading, budget, options, json, out, err());
+        int code = structure ? report.structure() : report.answers(queries);
         out.flush();
-        return facts.isOpen() ? ExitCode.RUNNING : ExitCode.OK;
-    }
-
-    private List<NetQuery> parsed(PetriNet net) {
-        List<NetQuery> parsed = new ArrayList<>();
-        for (String query : queries) {
-            try {
-                parsed.add(QueryParser.query(net, query));
-            } catch (QueryFaultException fault) {
-                throw new UsageFault("--query '" + query + "', " + fault.words());
-            }
-        }
-        return parsed;
-    }
-
-    private List<NetAnalysis> analyses(PetriNet net, List<NetQuery> asked, SearchBudget budget) {
-        ProgressDisplay progress =
-                new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
-        List<NetAnalysis> analyses = new ArrayList<>();
-        try (StopOnInterrupt stop = new StopOnInterrupt()) {
-            GraphWatch watch = SearchProgress.watch(progress, stop);
-            QueryMeans means = options.means(net);
-            if (asked.isEmpty()) {
-                SearchSettings whole = SearchSettings.within(budget);
-                analyses.add(NetAnalysis.of(ReachabilitySearch.explore(
-                        net, means.symmetry().map(whole::withSymmetry).orElse(whole), watch, System::nanoTime)));
-            }
-            QueryRunner runner = new QueryRunner(net, budget, means, watch, System::nanoTime);
-            ProofsBeforeSearch proofs = new ProofsBeforeSearch(net, budget, watch, stop);
-            for (int i = 0; i < asked.size(); i++) {
-                NetQuery query = asked.get(i);
-                String text = queries.get(i);
-                Optional<NetAnalysis> proved = options.asksStructure() ? proofs.answer(text, query) : Optional.empty();
-                analyses.add(proved.orElseGet(() -> NetAnalysis.of(text, query, runner.answer(query))));
-            }
-            progress.end();
-        }
-        return analyses;
-    }
-
-    /** Without queries, the members of the whole graph stand in the object itself; else there is an object for each query. */
-    private void print(PrintWriter out, PnmlReading reading, List<NetAnalysis> analyses) {
-        if (!json) {
-            analyses.forEach(analysis -> new AnalysisText(out, analysis).print());
-            return;
-        }
-        ObjectNode object = AnalysisJson.of(name, reading.findings());
-        if (queries.isEmpty()) {
-            AnalysisJson.put(object, analyses.get(0));
-        } else {
-            ArrayNode list = object.putArray("queries");
-            analyses.forEach(analysis -> AnalysisJson.put(list.addObject(), analysis));
-        }
-        out.println(object.toPrettyString());
+        return code;
     }
 
     private int write(PetriNet net, Path to) throws IOException {

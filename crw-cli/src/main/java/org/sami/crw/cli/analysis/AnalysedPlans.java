@@ -31,6 +31,7 @@ final class AnalysedPlans {
 
     private final SearchBudget budget;
     private final boolean isOfLooks;
+    private final int depth;
     private final GraphWatch watch;
 
     /**
@@ -58,11 +59,13 @@ final class AnalysedPlans {
      * Searches with a budget for each net.
      *
      * @param isOfLooks whether in nets of many transitions fewer states are looked at
+     * @param depth how many levels of sub-missions a net follows
      */
-    AnalysedPlans(DomainLibrary library, SearchBudget budget, boolean isOfLooks, GraphWatch watch) {
+    AnalysedPlans(DomainLibrary library, SearchBudget budget, boolean isOfLooks, int depth, GraphWatch watch) {
         this.library = library;
         this.budget = budget;
         this.isOfLooks = isOfLooks;
+        this.depth = depth;
         this.watch = watch;
     }
 
@@ -72,12 +75,13 @@ final class AnalysedPlans {
         long begin = System.nanoTime();
         try {
             PlanNet net = PlanNet.smallest(new PlanNetRequest(
-                    project,
-                    library.vocabulary(),
-                    plan.id(),
-                    robots,
-                    PlanNetRequest.STANDARD_TASKS,
-                    isOfLooks ? MOST_TRANSITIONS : PlanNetRequest.STANDARD_TRANSITIONS));
+                            project,
+                            library.vocabulary(),
+                            plan.id(),
+                            robots,
+                            PlanNetRequest.STANDARD_TASKS,
+                            isOfLooks ? MOST_TRANSITIONS : PlanNetRequest.STANDARD_TRANSITIONS)
+                    .toDepth(depth));
             Found found = found(net, plan);
             return new Row(plan, boats, Optional.of(found), "", System.nanoTime() - begin);
         } catch (PlanNetTooLargeException tooLarge) {

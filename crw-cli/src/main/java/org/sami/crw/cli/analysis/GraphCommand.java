@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.sami.crw.cli.option.DepthOption;
 import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanOption;
 import org.sami.crw.cli.option.PlanSource;
@@ -86,6 +87,9 @@ public final class GraphCommand implements Callable<Integer> {
             defaultValue = "2",
             description = "With a plan: how many boats there are at the start. Default: ${DEFAULT-VALUE}.")
     private int boats;
+
+    @Mixin
+    private DepthOption depth = new DepthOption();
 
     @Option(names = "--svg", paramLabel = "FILE", description = "Write the picture as SVG.")
     private @Nullable Path svg;
@@ -172,6 +176,7 @@ public final class GraphCommand implements Callable<Integer> {
                         domain,
                         planOption.name(),
                         boats,
+                        depth.levels(),
                         true,
                         spec.commandLine().getErr())
                 .map(DrawnNet::of);

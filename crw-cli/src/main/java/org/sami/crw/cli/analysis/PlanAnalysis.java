@@ -38,10 +38,12 @@ record PlanAnalysis(PlanArgument plan, Kind kind, Optional<PlanFacts> facts, Lis
      * Searches.
      *
      * @param given texts of queries; where there are none the plan's own are answered, and if it has none the usual ones
+     * @param structure whether the structure of the net is asked before its states are searched
      * @throws UsageFault if a given query makes no sense
      */
-    static PlanAnalysis of(PlanArgument plan, List<String> given, SearchBudget budget, GraphWatch watch) {
-        PlanQueries queries = new PlanQueries(plan.net(), budget, watch);
+    static PlanAnalysis of(
+            PlanArgument plan, List<String> given, SearchBudget budget, boolean structure, GraphWatch watch) {
+        PlanQueries queries = new PlanQueries(plan.net(), budget, watch, structure);
         for (String text : given) {
             queries.fault(text).ifPresent(fault -> {
                 throw new UsageFault("--query '" + text + "', " + fault);

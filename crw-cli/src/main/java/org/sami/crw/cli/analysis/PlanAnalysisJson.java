@@ -70,6 +70,10 @@ final class PlanAnalysisJson {
                 .put("certain", !answer.mayBe() && answer.verdict() != NetVerdict.UNKNOWN)
                 .put("states", answer.states())
                 .put("seconds", answer.nanos() / 1e9);
+        if (!answer.proof().isEmpty()) {
+            ArrayNode proof = object.putArray("proof");
+            answer.proof().forEach(proof::add);
+        }
         answer.witness().ifPresent(witness -> put(object, witness));
     }
 

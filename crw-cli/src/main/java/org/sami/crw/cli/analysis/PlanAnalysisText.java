@@ -17,6 +17,9 @@ final class PlanAnalysisText {
     /** So many lines of what the net leaves open are printed; JSON has all. */
     private static final int MOST_OPEN = 6;
 
+    /** So many lines of a proof are printed; JSON has all. */
+    private static final int MOST_PROOF = 8;
+
     private final PrintWriter out;
     private final PlanAnalysis analysis;
     private final PlanStateWords words;
@@ -110,6 +113,10 @@ final class PlanAnalysisText {
                 : answer.query().text();
         out.println(
                 name + ": " + (answer.result() == PlanQueryAnswer.Result.FAULT ? "a fault, " : "") + answer.words());
+        answer.proof().stream().limit(MOST_PROOF).forEach(line -> out.println("    " + line));
+        if (answer.proof().size() > MOST_PROOF) {
+            out.println("    and " + (answer.proof().size() - MOST_PROOF) + " more lines, which --json lists");
+        }
         answer.witness().ifPresent(this::print);
         if (answer.states() > 0) {
             out.printf(Locale.ROOT, "    %d states in %.2f s%n", answer.states(), answer.nanos() / 1e9);

@@ -41,11 +41,12 @@ record PlanArgument(Plan plan, PlanNet net) {
     /**
      * Reads the plan and makes its net; empty where it has errors, which are printed then.
      *
+     * @param depth how many levels of sub-missions its net follows
      * @param isNamed whether boats have names in the net; else they are counted where that can be
      * @throws UsageFault if there is no such plan, it has no start, or its net is too large
      */
     static Optional<PlanArgument> read(
-            String name, DomainOption domain, String chosen, int boats, boolean isNamed, PrintWriter err) {
+            String name, DomainOption domain, String chosen, int boats, int depth, boolean isNamed, PrintWriter err) {
         if (boats < 0 || boats > MOST_BOATS) {
             throw new UsageFault("--boats is 0 to " + MOST_BOATS + ", not " + boats);
         }
@@ -75,7 +76,8 @@ record PlanArgument(Plan plan, PlanNet net) {
         List<String> robots =
                 IntStream.rangeClosed(1, boats).mapToObj(i -> "robot-" + i).toList();
         try {
-            PlanNetRequest request = new PlanNetRequest(project.get(), library.vocabulary(), plan.id(), robots);
+            PlanNetRequest request =
+                    new PlanNetRequest(project.get(), library.vocabulary(), plan.id(), robots).toDepth(depth);
             return Optional.of(new PlanArgument(plan, isNamed ? PlanNet.of(request) : PlanNet.smallest(request)));
         } catch (PlanNetTooLargeException | IllegalArgumentException refused) {
             throw new UsageFault(plan.id() + ": " + refused.getMessage());

@@ -12,7 +12,7 @@ import picocli.CommandLine.Option;
 
 /** How far a search may go. */
 final class SearchOptions {
-    /** The heap has to hold a hash table twice while it grows, and the program itself. */
+    /** The heap has to hold the program as well; {@link HeapRoom} looks at what its net leaves. */
     private static final double MOST_OF_HEAP = 0.85;
 
     private static final double STANDARD_PART = 0.5;

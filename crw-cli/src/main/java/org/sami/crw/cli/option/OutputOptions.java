@@ -12,7 +12,7 @@ import org.sami.crw.report.ReportText;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.file.ReportFolder;
 import org.sami.crw.report.file.ReportJson;
-import org.sami.crw.session.picture.SessionPictures;
+import org.sami.session.record.SessionPictures;
 import picocli.CommandLine.Option;
 
 /** Where a run's report goes. */

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -42,6 +43,9 @@ public final class RunOptions {
             converter = SecondsConverter.class,
             description = "How long such boats may take to answer at the start (default ${DEFAULT-VALUE}).")
     private long connectWithinMillis;
+
+    @Mixin
+    private LostLinkOption lostLink = new LostLinkOption();
 
     @Option(
             names = "--seed",
@@ -145,6 +149,11 @@ public final class RunOptions {
         options.checkScript(plan, settings, Path.of(""));
     }
 
+    /** What boats that are connected are to do when their link is lost; empty where nothing is wished. */
+    public Optional<LostLinkAction> lostLink() {
+        return lostLink.wish();
+    }
+
     /** How long boats behind TCP may take to answer at the start. */
     public long connectWithinMillis() {
         return connectWithinMillis;
@@ -164,6 +173,10 @@ public final class RunOptions {
     /** Refuses what makes no sense with boats that are connected; before any is looked for. */
     public void checkConnected() {
         boolean connected = connect != null || near;
+        if (!connected && lostLink.wish().isPresent()) {
+            throw new UsageFault(
+                    "--lost-link is of boats that are connected; of simulated ones: --radio lost-link=ACTION");
+        }
         String option = connect == null ? "--near" : "--connect";
         if (connected && options.hasBoats() && !options.hasCentre()) {
             throw new UsageFault("--boats beside " + option

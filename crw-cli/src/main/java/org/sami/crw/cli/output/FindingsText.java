@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
+import org.sami.spn.advice.FindingAdvice;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.finding.Severity;
 
@@ -25,6 +26,18 @@ public final class FindingsText {
                     finding.pointer().isEmpty() ? "the top" : finding.pointer(),
                     finding.elements().isEmpty() ? "" : " (" + String.join(", ", finding.elements()) + ")",
                     finding.message());
+        }
+    }
+
+    /** Below each finding, indented, why it matters, how it is mended, and which edits mend it in an editor. */
+    public static void printExplained(PrintWriter out, String source, List<Finding> findings) {
+        for (Finding finding : findings) {
+            print(out, source, List.of(finding));
+            FindingAdvice.of(finding).ifPresent(advice -> {
+                out.println("    why: " + advice.why());
+                out.println("    mend: " + advice.mend());
+            });
+            finding.fixes().forEach(fix -> out.println("    fix in DREAMM: " + fix.label()));
         }
     }
 
@@ -51,6 +64,10 @@ public final class FindingsText {
                 node.put("column", at.column());
             });
             node.put("message", finding.message());
+            FindingAdvice.of(finding).ifPresent(advice -> {
+                node.put("why", advice.why());
+                node.put("mend", advice.mend());
+            });
             ArrayNode elements = node.putArray("elements");
             finding.elements().forEach(elements::add);
             node.put("plan", finding.plan());

@@ -33,8 +33,9 @@ public final class PairedBase {
         this.standsBy = standsBy;
     }
 
-    static PairedBase of(BasePair pair, String name) throws IOException {
-        boolean standsBy = pair.checkedPart() == BasePair.Part.REPLICA;
+    /** @param part what it does at present */
+    static PairedBase of(BasePair pair, BasePair.Part part, String name) throws IOException {
+        boolean standsBy = part == BasePair.Part.REPLICA;
         return new PairedBase(pair, JournalAddress.parse(pair.journal(name).text()), standsBy);
     }
 

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.legacy.ImportedFindings;
+import org.sami.crw.cli.option.DepthOption;
 import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.option.SecondsConverter;
@@ -48,6 +49,7 @@ import picocli.CommandLine.Spec;
         footer = {
             "  crw check my-plan.json",
             "  crw check clv --json",
+            "  crw check my-plan.json --explain          with why each finding matters and how to mend it",
             "  crw check my-plan.json --deep             runs its plans with invented boats",
             "  crw check my-plan.json --suggest e7       requirements for the edge e7 that leave fewer findings",
             "  crw check --domain uav search             a plan of the aircraft domain that ships with crw",
@@ -76,6 +78,11 @@ public final class CheckCommand implements Callable<Integer> {
     private boolean json;
 
     @Option(
+            names = "--explain",
+            description = "Below each finding, why it matters and how to mend it. With --json it is always there.")
+    private boolean explain;
+
+    @Option(
             names = "--deep",
             description = "Search every possible run of each plan without errors, as DREAMM does by Search "
                     + "deeper; print each finding with a run that shows it.")
@@ -87,6 +94,9 @@ public final class CheckCommand implements Callable<Integer> {
             defaultValue = "2",
             description = "With --deep: how many boats there are at the start. Default: ${DEFAULT-VALUE}.")
     private int boats;
+
+    @Mixin
+    private DepthOption depth = new DepthOption();
 
     @Option(
             names = "--states",
@@ -100,9 +110,9 @@ public final class CheckCommand implements Callable<Integer> {
             paramLabel = "SECONDS",
             defaultValue = "60",
             converter = SecondsConverter.class,
-            description = "With --deep: how long each search for the answer to a saved query may take. "
-                    + "Default: ${DEFAULT-VALUE}.")
-    private long queryMillis;
+            description = "With --deep: how long the search of each plan on the engine may take, and each search for "
+                    + "the answer to a saved query. Default: ${DEFAULT-VALUE}.")
+    private long budgetMillis;
 
     @Option(
             names = "--suggest",
@@ -113,7 +123,7 @@ public final class CheckCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        if (queryMillis == 0) {
+        if (budgetMillis == 0) {
             throw new UsageFault("--budget is more than 0");
         }
         if (name == null && !domain.isGiven()) {
@@ -155,7 +165,7 @@ public final class CheckCommand implements Callable<Integer> {
     }
 
     private PlanSearches searched(DomainLibrary library, PlanSource source) {
-        PlanSearches searches = new PlanSearches();
+        PlanSearches searches = new PlanSearches(depth.levels());
         if (deep) { // plans with errors are left out
             ProgressDisplay progress =
                     new ProgressDisplay(spec.commandLine().getErr(), Terminal.onStandardError(), System::nanoTime);
@@ -166,7 +176,7 @@ public final class CheckCommand implements Callable<Integer> {
                                 library.vocabulary(),
                                 boats,
                                 states,
-                                Duration.ofMillis(queryMillis),
+                                Duration.ofMillis(budgetMillis),
                                 progress,
                                 stop));
             }
@@ -213,7 +223,7 @@ public final class CheckCommand implements Callable<Integer> {
             suggestions.ifPresent(found -> found.put(object));
             out.println(object.toPrettyString());
         } else {
-            searches.print(out, checked);
+            searches.print(out, checked, explain);
             suggestions.ifPresent(found -> found.print(out));
             Optional<ImportedFindings> imported = imported(source);
             if (imported.isPresent()) {
@@ -234,9 +244,17 @@ public final class CheckCommand implements Callable<Integer> {
         return source.hasErrors() || searches.haveFound() ? ExitCode.FINDINGS : ExitCode.OK;
     }
 
-    private static void print(PrintWriter out, String source, List<Finding> findings) {
-        FindingsText.print(out, source, findings);
+    private void print(PrintWriter out, String source, List<Finding> findings) {
+        printFindings(out, source, findings);
         count(out, source, findings);
+    }
+
+    private void printFindings(PrintWriter out, String source, List<Finding> findings) {
+        if (explain) {
+            FindingsText.printExplained(out, source, findings);
+        } else {
+            FindingsText.print(out, source, findings);
+        }
     }
 
     private static void count(PrintWriter out, String source, List<Finding> findings) {
@@ -251,15 +269,15 @@ public final class CheckCommand implements Callable<Integer> {
     }
 
     /** What the import did, what it may have caused, and what the plans' own authors drew so. */
-    private static void print(PrintWriter out, String name, ImportedFindings imported) {
+    private void print(PrintWriter out, String name, ImportedFindings imported) {
         out.printf("%s: %s%n", name, imported.heading());
         if (!imported.ofImport().isEmpty()) {
             out.println("at elements that the import wrote otherwise than they stood there:");
-            FindingsText.print(out, name, imported.ofImport());
+            printFindings(out, name, imported.ofImport());
         }
         if (!imported.ofPlans().isEmpty()) {
             out.println("of the plans as they were drawn:");
-            FindingsText.print(out, name, imported.ofPlans());
+            printFindings(out, name, imported.ofPlans());
         }
     }
 }

@@ -34,6 +34,13 @@ final class SavedQueries {
 
     private final List<Answered> answers = new ArrayList<>();
 
+    private final int depth;
+
+    /** @param depth how many levels of sub-missions the nets follow */
+    SavedQueries(int depth) {
+        this.depth = depth;
+    }
+
     private record Answered(Plan plan, PlanQueryAnswer answer) {}
 
     /** Answers the queries of a plan, or the usual ones where it has none. Where its net is too large, each of them stays open. */
@@ -49,7 +56,7 @@ final class SavedQueries {
         SearchBudget budget =
                 new SearchBudget(SearchBudget.MOST_STATES, Runtime.getRuntime().maxMemory() / 2, time);
         try {
-            PlanNet net = PlanNet.smallest(new PlanNetRequest(project, vocabulary, plan.id(), robots));
+            PlanNet net = PlanNet.smallest(new PlanNetRequest(project, vocabulary, plan.id(), robots).toDepth(depth));
             PlanQueries queries = new PlanQueries(net, budget, watch(plan, progress, isStopped));
             asked.forEach(query -> add(plan, queries.answer(query)));
         } catch (PlanNetTooLargeException tooLarge) {

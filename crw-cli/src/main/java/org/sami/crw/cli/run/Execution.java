@@ -16,6 +16,7 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.output.ErrorMessages;
@@ -78,6 +79,7 @@ final class Execution {
     private final long connectWithinMillis;
     private final Clock clock;
     private Optional<Path> answersFile = Optional.empty();
+    private Optional<LostLinkAction> lostLink = Optional.empty();
 
     /** The run with its observer and the first messages. */
     @FunctionalInterface
@@ -195,6 +197,12 @@ final class Execution {
         tell("journal " + journal + "; if this process dies: crw resume " + journal);
     }
 
+    /** What boats that are connected are to do when their link is lost; none is set where it is empty. */
+    Execution lostLink(Optional<LostLinkAction> wish) {
+        lostLink = wish;
+        return this;
+    }
+
     private Mission inProcess(RunPlan plan, RunSettings settings, AnswersFile answers, RunJournal journal) {
         InProcessRun run = new InProcessRun(plan, settings, answers, journal, output.pictures());
         run.useAllCores();
@@ -207,6 +215,7 @@ final class Execution {
             try {
                 return new TcpRun(plan, settings, answers, journal, start, lines)
                         .keepPicturesIn(output.pictures())
+                        .setLostLink(lostLink)
                         .run(observer);
             } catch (UnknownBoatException e) {
                 throw new UsageFault("--interrupt: " + e.getMessage());

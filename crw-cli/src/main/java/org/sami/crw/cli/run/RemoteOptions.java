@@ -38,6 +38,9 @@ public final class RemoteOptions {
                             + " this machine. Of a session with standbys: one or several of its bases.")
     private List<String> addresses = new ArrayList<>();
 
+    /** Why a certificate was not taken, and what to do; empty where none was refused. Written on threads of connections. */
+    private volatile String notTrusted = "";
+
     @Option(
             names = "--person",
             paramLabel = "NAME",
@@ -106,7 +109,16 @@ public final class RemoteOptions {
         }
         Login who = new Login(Optional.ofNullable(person).orElse(""), key());
         KnownServers known = new KnownServers(BaseProtection.folderOfThisUser().resolveSibling("session-servers"));
-        return RemoteSession.open(where, who, new ServerTrust(known, this::isRight), front, listener, LocalTime::now);
+        try {
+            return RemoteSession.open(
+                    where, who, new ServerTrust(known, this::isRight), front, listener, LocalTime::now);
+        } catch (IOException fault) {
+            String why = notTrusted;
+            if (why.isEmpty()) {
+                throw fault;
+            }
+            throw new UsageFault(why);
+        }
     }
 
     private String key() throws IOException {
@@ -133,10 +145,14 @@ public final class RemoteOptions {
 
     private boolean isRight(String authority, String print) {
         if (certificate != null) {
-            return certificate.equalsIgnoreCase(print);
+            boolean right = certificate.equalsIgnoreCase(print);
+            notTrusted = right ? "" : "--certificate: that of " + authority + " has another SHA-256, " + print;
+            return right;
         }
         Optional<Console> terminal = terminal();
         if (terminal.isEmpty()) {
+            notTrusted = authority + " is connected to for the first time: compare the SHA-256 of its certificate with"
+                    + " the one that 'crw serve' printed; where it is the same: --certificate " + print;
             return false;
         }
         String typed = terminal.get()

@@ -147,6 +147,7 @@ public final class RunCommand implements Callable<Integer> {
         }
         return new Execution(spec.commandLine(), library, output, options.connectWithinMillis())
                 .answersFrom(options.answersPath())
+                .lostLink(options.lostLink())
                 .runNew(source, plan, settings, journal);
     }
 }

@@ -126,7 +126,7 @@ public final class ServeCommand implements Callable<Integer> {
         if (script != null && !Files.isReadable(script)) {
             throw new UsageFault("--script: " + script + " cannot be read");
         }
-        Optional<PairedBase> paired = pair.open();
+        Optional<PairedBase> paired = pair.open(line -> print(spec.commandLine().getOut(), "pair: " + line));
         paired.ifPresent(base -> {
             options.keepIn(base.journal());
             print(spec.commandLine().getOut(), "pair: the session is kept in " + base.journal());

@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.cli.station.StationLinks;
 import org.sami.crw.fleet.RobotKind;
@@ -47,6 +48,7 @@ final class SessionOpening {
      * @param stated the errors of boats that do not report theirs
      * @param water of simulated boats; empty for calm water
      * @param around what there is on that water
+     * @param lostLinkWish what boats are to do when their link is lost; empty where it is not said: what the journal says counts then
      * @param earlier the journal with the session that goes on; empty for a new session
      */
     record Asked(
@@ -54,6 +56,7 @@ final class SessionOpening {
             NamedConditions stated,
             Optional<NamedConditions> water,
             WaterAround around,
+            Optional<LostLinkAction> lostLinkWish,
             Optional<JournalAddress> earlier) {}
 
     /** Begins a session, with the boats that are to be connected. */
@@ -106,6 +109,7 @@ final class SessionOpening {
         if (asked.earlier().isPresent()) {
             goOn(session, asked.earlier().get(), lines);
         }
+        session.fleet().wish(asked.lostLinkWish());
         addresses.forEach(session.fleet()::connect);
         session.begin();
     }

@@ -16,6 +16,7 @@ import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.JournalConverter;
 import org.sami.crw.cli.option.LayerOptions;
 import org.sami.crw.cli.option.LinkOptions;
+import org.sami.crw.cli.option.LostLinkOption;
 import org.sami.crw.cli.option.NetworkOption;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.option.VesselsFile;
@@ -24,6 +25,7 @@ import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.cli.output.UsageFault;
 import org.sami.crw.cli.station.StationLinks;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.LostLinkWish;
 import org.sami.crw.session.SessionSetup;
 import org.sami.crw.session.archive.SessionJournal;
 import org.sami.crw.session.fault.BoatsAtFault;
@@ -72,6 +74,9 @@ final class SessionOptions {
             names = "--near",
             description = "Look for boats on the local network for 8 s, and connect to all that are found and paired.")
     private boolean near;
+
+    @Mixin
+    private LostLinkOption lostLink = new LostLinkOption();
 
     @Mixin
     private NetworkOption network = new NetworkOption();
@@ -210,6 +215,7 @@ final class SessionOptions {
                 conditions == null ? NamedConditions.of(settings) : conditions,
                 Optional.ofNullable(conditions).or(() -> NamedConditions.ofWater(settings)),
                 around().orAsBefore(WaterAround.of(settings)),
+                lostLink.wish(),
                 Optional.ofNullable(journal));
     }
 
@@ -236,6 +242,7 @@ final class SessionOptions {
         Optional.ofNullable(conditions).ifPresent(water -> settings.putAll(water.waterSettings()));
         WaterAround around = around();
         settings.putAll(around.settings());
+        LostLinkWish.note(lostLink.wish(), settings);
         settings.put("kind", "session");
         JournalHeader header = JournalHeader.of(
                 new ProjectWriter(library.vocabulary()).text(project),
@@ -243,8 +250,8 @@ final class SessionOptions {
                 settings);
         SessionJournal kept = journal == null ? SessionJournal.none(header) : SessionJournal.create(journal, header);
         SessionSetup setup = SessionSetup.of(library.vocabulary(), project).with(kept);
-        return Optional.of(
-                new SessionOpening.Asked(setup, stated, Optional.ofNullable(conditions), around, Optional.empty()));
+        return Optional.of(new SessionOpening.Asked(
+                setup, stated, Optional.ofNullable(conditions), around, lostLink.wish(), Optional.empty()));
     }
 
     /** What the options name; nothing where they name nothing. */

@@ -74,6 +74,19 @@ final class VehicleText {
         return links.stream().map(link -> line(link, vehicles) + "\n").collect(Collectors.joining());
     }
 
+    /** Over which link each vehicle on several is commanded, and how it is heard on the others. */
+    static String ways(List<VehicleSnapshot> vehicles) {
+        return vehicles.stream()
+                .filter(vehicle -> vehicle.heardOn().size() > 1)
+                .map(vehicle -> format(
+                        "%s is commanded over %s%n",
+                        vehicle.id(),
+                        vehicle.heardOn().stream()
+                                .map(heard -> format("%s (%.1f %% of it lost)", heard.link(), heard.lost() * PERCENT))
+                                .collect(Collectors.joining("; ready is "))))
+                .collect(Collectors.joining());
+    }
+
     private static String line(MavlinkLinkReport link, List<VehicleSnapshot> vehicles) {
         StringBuilder line = new StringBuilder(link.address().toString()).append(": ");
         if (link.state() != MavlinkLinkState.OPEN) {

@@ -134,6 +134,7 @@ public final class VehiclesCommand implements Callable<Integer> {
             VehicleText text = new VehicleText(clock.getAsLong());
             out.print(text.table(vehicles));
             out.print(text.links(links, vehicles));
+            out.print(VehicleText.ways(vehicles));
             out.print(text.said(vehicles));
             out.print(VehicleText.faults(vehicles));
             if (budget) {

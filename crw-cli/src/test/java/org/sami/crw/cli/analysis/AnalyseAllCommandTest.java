@@ -65,6 +65,19 @@ class AnalyseAllCommandTest {
     }
 
     @Test
+    void subMissionsAreFollowedToADepth() {
+        CommandResult open = CommandResult.crw("analyse-all", "clv-interrupts", "--boats", "1");
+        CommandResult followed = CommandResult.crw("analyse-all", "clv-interrupts", "--boats", "1", "--depth", "1");
+
+        assertThat(open.out()).contains("| `clv-interrupts` | 1 | 24, 26 | 14 | no | yes | 3 of 3 as expected | – |");
+        assertThat(followed.out())
+                .contains("| `clv-interrupts` | 1 | 48, 88 | 74 | no | yes | 3 of 3 as expected | – |");
+        assertThat(CommandResult.crw("analyse-all", "clv-interrupts", "--depth", "6")
+                        .err())
+                .contains("--depth is 0 to 5, not 6");
+    }
+
+    @Test
     void numbersOfBoatsAreChecked() {
         CommandResult ran = CommandResult.crw("analyse-all", "--boats", "1,26");
 

@@ -4,11 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.sami.crw.cli.pair.PairedProcesses.await;
 
 import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.cli.CrwProcess;
+import org.sami.crw.cli.network.TwoNetworks;
 
 /** Two bases as their operators run them: {@code crw pair} and {@code crw serve --pair}, with real databases of an installed PostgreSQL. */
 @Tag("process")
@@ -56,6 +59,23 @@ class PairProcessTest {
 
     @Test
     void oneOfBothCommandsWhenTheNetworkBetweenThemIsCut() throws Exception {
+        cut(networks -> {
+            networks.cutFromFirst();
+            networks.cutFromSecond();
+        });
+    }
+
+    @Test
+    void oneOfBothCommandsWhenNothingOfTheFirstReachesTheSecond() throws Exception {
+        cut(TwoNetworks::cutFromFirst);
+    }
+
+    @Test
+    void oneOfBothCommandsWhenNothingOfTheSecondReachesTheFirst() throws Exception {
+        cut(TwoNetworks::cutFromSecond);
+    }
+
+    private void cut(Consumer<TwoNetworks> cutting) throws Exception {
         try (TwoNetworks networks = new TwoNetworks();
                 PairedProcesses pair = PairedProcesses.inNetworks(folder, networks);
                 CrwProcess first = pair.serve(0);
@@ -64,8 +84,7 @@ class PairProcessTest {
             await(first, PROTECTED);
             await(second, READY);
 
-            networks.cutFromFirst();
-            networks.cutFromSecond();
+            cutting.accept(networks);
 
             await(second, SERVES);
             assertThat(first.out()).as("the first stopped before").contains("this base stops commanding");
@@ -93,6 +112,50 @@ class PairProcessTest {
     }
 
     @Test
+    void basesThatWereBothSwitchedOffGoOnAlsoWhereTheOneWithTheSessionIsStartedFirst() throws Exception {
+        try (PairedProcesses pair = PairedProcesses.onLoopback(folder)) {
+            try (CrwProcess first = pair.serve(0);
+                    CrwProcess second = pair.serve(1)) {
+                await(first, PROTECTED);
+                await(second, READY);
+                second.kill();
+                first.kill();
+                pair.cutPower(1);
+                pair.cutPower(0);
+            }
+            try (CrwProcess first = pair.serve(0)) {
+                await(first, "may have gone on with the session: this base waits until it answers");
+
+                try (CrwProcess second = pair.serve(1)) {
+                    await(first, SERVES);
+                    await(first, PROTECTED);
+                    await(second, READY);
+                }
+            }
+        }
+    }
+
+    @Test
+    void aBaseThatWaitsForTheOtherGoesOnAtTheWordOfAPerson() throws Exception {
+        try (PairedProcesses pair = PairedProcesses.onLoopback(folder)) {
+            try (CrwProcess first = pair.serve(0);
+                    CrwProcess second = pair.serve(1)) {
+                await(first, PROTECTED);
+                second.kill();
+                first.kill();
+                pair.cutPower(1);
+            }
+            try (CrwProcess first = pair.serve(0)) {
+                await(first, "this base waits until it answers");
+
+                assertThat(pair.run(0, "pair", "alone", "--confirm")).contains("this base goes on without ");
+
+                await(first, SERVES);
+            }
+        }
+    }
+
+    @Test
     void basesThatAreToldTheirOtherAddressesAreAPairAgainWithTheirSession() throws Exception {
         try (TwoNetworks networks = new TwoNetworks();
                 PairedProcesses pair = PairedProcesses.inNetworks(folder, networks);
@@ -112,6 +175,27 @@ class PairProcessTest {
                 await(first, "pair: protected: " + TwoNetworks.SECOND_LATER);
             }
             assertThat(first.isAlive()).isTrue();
+        }
+    }
+
+    @Test
+    void passwordsStandInNoListOfProcessesAndInNoOtherFileOfThePair() throws Exception {
+        try (PairedProcesses pair = PairedProcesses.onLoopback(folder);
+                CrwProcess first = pair.serve(0);
+                CrwProcess second = pair.serve(1)) {
+            await(first, PROTECTED);
+            await(second, READY);
+            List<String> passwords = pair.passwords();
+            assertThat(passwords).hasSizeGreaterThan(1).allMatch(password -> password.length() > 20);
+
+            for (String password : passwords) {
+                assertThat(ProcessHandle.allProcesses()
+                                .map(process -> process.info().commandLine().orElse("")))
+                        .noneMatch(line -> line.contains(password));
+                assertThat(pair.filesWith(password)).isEmpty();
+                assertThat(first.out() + first.err() + second.out() + second.err())
+                        .doesNotContain(password);
+            }
         }
     }
 }

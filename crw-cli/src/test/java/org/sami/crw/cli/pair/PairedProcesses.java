@@ -4,13 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.cli.CrwProcess;
+import org.sami.crw.cli.network.TwoNetworks;
 import org.sami.pair.postgres.PairDatabase;
 import org.sami.pair.postgres.PairFolder;
 import org.sami.pair.postgres.Programs;
@@ -19,6 +24,7 @@ import org.sami.pair.postgres.Programs;
 final class PairedProcesses implements AutoCloseable {
     private static final double AT_MOST_S = 120;
     private static final long COMMAND_S = 120;
+    private static final String PASSWORDS = "pgpass";
 
     private static final AtomicInteger MADE = new AtomicInteger();
 
@@ -81,6 +87,35 @@ final class PairedProcesses implements AutoCloseable {
         return bases.get(base).address();
     }
 
+    /** The passwords of the databases' roles, by the files that hold them for their owner. */
+    List<String> passwords() throws IOException {
+        Set<String> all = new LinkedHashSet<>();
+        for (Base base : bases) {
+            Files.readAllLines(base.folder().resolve(PASSWORDS)).stream()
+                    .map(line -> line.substring(line.lastIndexOf(':') + 1))
+                    .forEach(all::add);
+        }
+        return List.copyOf(all);
+    }
+
+    /** The files of both bases that hold a text, but for those that are to hold passwords. */
+    List<Path> filesWith(String text) throws IOException {
+        List<Path> found = new ArrayList<>();
+        for (Base base : bases) {
+            try (Stream<Path> files = Files.walk(base.folder())) {
+                for (Path file : files.filter(Files::isRegularFile).toList()) {
+                    if (!file.endsWith(PASSWORDS)
+                            && Files.exists(file) // a database removes files meanwhile
+                            && Files.readString(file, StandardCharsets.ISO_8859_1)
+                                    .contains(text)) {
+                        found.add(file);
+                    }
+                }
+            }
+        }
+        return found;
+    }
+
     /** Runs a command on a base to its end, which is good; gives what it said. */
     String run(int base, String... arguments) throws IOException, InterruptedException {
         try (CrwProcess process = start(base, arguments)) {
@@ -101,7 +136,7 @@ final class PairedProcesses implements AutoCloseable {
         return start(base, "serve", "--pair", "--port", "0");
     }
 
-    /** Ends a base's database as the loss of its power does. */
+    /** Ends a base's database as the loss of its power does, and waits until its processes are gone. */
     void cutPower(int base) throws IOException {
         String pid = Files.readAllLines(bases.get(base).folder().resolve("data").resolve("postmaster.pid"))
                 .get(0)
@@ -110,6 +145,7 @@ final class PairedProcesses implements AutoCloseable {
         List<ProcessHandle> all = new ArrayList<>(server.descendants().toList());
         all.add(server);
         all.forEach(ProcessHandle::destroyForcibly);
+        all.forEach(process -> process.onExit().join());
     }
 
     /** Waits until a process says something. */

@@ -3,9 +3,11 @@ package org.sami.crw.sim.tcp;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -26,6 +28,7 @@ import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.journal.JournalPlans;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
 import org.sami.work.postgres.testing.TestDatabase;
 
 /** Two bases on one journal in PostgreSQL, and boats, all of them processes: the base that runs a mission is killed in its middle, and its standby goes on with it. */
@@ -66,6 +69,9 @@ class StandbyTakesOverTest {
                 for (String boat : BOATS) {
                     Await.until(boat + " is under way", AT_MOST_S, () -> isUnderWay(fleet, boat) || !first.isAlive());
                 }
+                // A list is started before the base has noted that the boat took it; one that is not noted is sent
+                // anew.
+                Await.until("the lists are noted", AT_MOST_S, () -> areListsNoted(journal) || !first.isAlive());
                 assertThat(first.isAlive()).as(first.out() + first.err()).isTrue();
                 before = entries(journal);
 
@@ -158,6 +164,20 @@ class StandbyTakesOverTest {
 
     private static boolean isUnderWay(BoatProcesses fleet, String boat) {
         return fleet.log(boat).stream().anyMatch(entry -> entry.command() instanceof StartWaypoints);
+    }
+
+    private static boolean areListsNoted(String journal) {
+        Set<String> noted = new HashSet<>();
+        try {
+            for (JournalEntry entry : entries(journal)) {
+                if (entry.input() instanceof Input.Remember remembered) {
+                    noted.add(remembered.key());
+                }
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return BOATS.stream().allMatch(boat -> noted.contains("list/" + boat));
     }
 
     private static List<JournalEntry> entries(String journal) throws IOException {

@@ -7,7 +7,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import org.sami.crw.gui.context.OperatorContext;
-import org.sami.crw.session.FrontFleet;
+import org.sami.session.api.FrontFleet;
 import org.sami.ui.command.Command;
 
 /** What a person does with the selected boats: commands over the session's fleet. */

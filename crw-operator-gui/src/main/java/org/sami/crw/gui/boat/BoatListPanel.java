@@ -1,6 +1,7 @@
 package org.sami.crw.gui.boat;
 
 import java.awt.BorderLayout;
+import java.awt.CardLayout;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -9,6 +10,7 @@ import java.util.function.Function;
 import javax.swing.JPanel;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.gui.picture.ShownPictures;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.FleetRows;
 import org.sami.crw.operator.boat.UnreachedBoat;
@@ -18,9 +20,13 @@ import org.sami.spn.value.NaturalOrder;
 import org.sami.ui.command.Command;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
+import org.sami.ui.window.WindowSettings;
 
 /** The boats, worst first: what each does or why it stands, charge, speed, path, age of the link. Shows each in its own mark. */
 public final class BoatListPanel extends JPanel {
+    private static final String PICTURES = "boats-pictures";
+    private static final String LINES = "lines";
+    private static final String CARDS = "cards";
     private static final int ALTITUDE_COLUMN = 3; // behind the battery
 
     private static final Comparator<Shown> WORST_FIRST = Comparator.comparingInt(
@@ -30,6 +36,11 @@ public final class BoatListPanel extends JPanel {
 
     private final OperatorContext context;
     private final RowTable<Shown> table;
+    private final CardLayout looks = new CardLayout();
+    private final JPanel deck = new JPanel(looks);
+    private final BoatCards cards;
+    private final WindowSettings settings;
+    private boolean withPictures;
 
     /** A boat as it is shown; its link's age changes by itself. */
     private record Shown(BoatSnapshot boat, String link, boolean stale) {
@@ -38,10 +49,16 @@ public final class BoatListPanel extends JPanel {
         }
     }
 
-    /** The boats of the session. */
-    public BoatListPanel(OperatorContext context) {
+    /**
+     * The boats of the session.
+     *
+     * @param pictures that they take
+     * @param settings keep whether each is shown with its newest picture
+     */
+    public BoatListPanel(OperatorContext context, ShownPictures pictures, WindowSettings settings) {
         super(new BorderLayout());
         this.context = context;
+        this.settings = settings;
         table = new RowTable<>(
                 "boats-table",
                 context.say(
@@ -66,7 +83,29 @@ public final class BoatListPanel extends JPanel {
                 .fleet()
                 .addListener(boats -> context.boats()
                         .retain(boats.stream().map(BoatSnapshot::boat).toList()));
-        add(table);
+        cards = new BoatCards(context, pictures);
+        deck.add(table, LINES);
+        deck.add(cards, CARDS);
+        add(deck);
+        context.commands()
+                .add(new Command("boats-pictures", "Boats with their newest pictures, or a line each", this::toggle)
+                        .withKey("alt shift V")
+                        .withIcon("picture"));
+        showPictures(Boolean.parseBoolean(settings.text(PICTURES)));
+        refresh();
+    }
+
+    private void toggle() {
+        showPictures(!withPictures);
+    }
+
+    /** Shows each boat with its newest picture, or in a line of a table; kept with the window's settings. */
+    public void showPictures(boolean shown) {
+        withPictures = shown;
+        looks.show(deck, shown ? CARDS : LINES);
+        if (shown != Boolean.parseBoolean(settings.text(PICTURES))) {
+            settings.keep(PICTURES, Boolean.toString(shown));
+        }
         refresh();
     }
 
@@ -101,14 +140,7 @@ public final class BoatListPanel extends JPanel {
     }
 
     private static SemanticColor batteryColor(Shown shown) {
-        return shown.boat()
-                .battery()
-                .map(battery -> switch (battery.level()) {
-                    case NOMINAL -> shown.stale() ? SemanticColor.STALE : SemanticColor.TEXT;
-                    case LOW -> SemanticColor.WARNING;
-                    case CRITICAL -> SemanticColor.CRITICAL;
-                })
-                .orElse(SemanticColor.MUTED);
+        return BoatCard.batteryColor(shown.boat(), shown.stale());
     }
 
     /** The address that is selected and does not answer; for a boat that is known by its name its address as well. */
@@ -131,9 +163,15 @@ public final class BoatListPanel extends JPanel {
         long now = context.nowMillis();
         List<BoatSnapshot> boats = context.models().fleet().snapshot();
         boats.forEach(boat -> context.marks().of(boat.boat()));
-        table.show(FleetRows.of(boats, context.models().unreached().snapshot(), now).stream()
+        List<Shown> rows = FleetRows.of(boats, context.models().unreached().snapshot(), now).stream()
                 .map(boat -> new Shown(boat, BoatWords.link(boat, now), BoatWords.isStale(boat, now)))
                 .sorted(WORST_FIRST)
-                .toList());
+                .toList();
+        table.show(rows);
+        if (withPictures) {
+            cards.show(rows.stream()
+                    .map(row -> BoatCard.of(context, row.boat(), row.link(), row.stale()))
+                    .toList());
+        }
     }
 }

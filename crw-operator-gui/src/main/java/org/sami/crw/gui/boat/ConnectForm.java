@@ -1,6 +1,8 @@
 package org.sami.crw.gui.boat;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -20,8 +22,8 @@ import org.sami.ui.command.Command;
 import org.sami.ui.value.WrappedText;
 
 /**
- * Takes a boat's server by its address, and says what came of it: which boat is connected, why it is refused, or that nobody answers, why and how often it was
- * tried. It stays open, for the next address. On the event thread.
+ * Takes boats by their addresses, as {@code --connect} does: several with commas between them, and several vehicles of one link. Says what came of each: which boat
+ * is connected, why it is refused, or that nobody answers, why and how often it was tried. It stays open, for the next address. On the event thread.
  */
 public final class ConnectForm extends JPanel {
     private static final String KEEP = "wmin 0";
@@ -31,9 +33,9 @@ public final class ConnectForm extends JPanel {
     private final JTextField address = new JTextField(28);
     private final JButton connect = new JButton("Connect");
     private final WrappedText said = new WrappedText("");
-    private final JButton giveUp = new JButton("Give up this address");
+    private final JButton giveUp = new JButton("Give up what does not answer");
     private final Timer look = new Timer(POLL_MS, e -> refresh());
-    private Optional<ConnectAttempt> attempt = Optional.empty();
+    private List<ConnectAttempt> attempts = List.of();
 
     /** An empty form. */
     public ConnectForm(OperatorContext context) {
@@ -42,7 +44,8 @@ public final class ConnectForm extends JPanel {
         setName("boat-connect-form");
         JLabel label = new JLabel(context.say(
                 "Address: HOST:PORT of a boat's server; of vehicles mavlink:udp:14550, mavlink:tcp:HOST:PORT,"
-                        + " mavlink:serial:PORT:BAUD"));
+                        + " mavlink:udpout:HOST:PORT, mavlink:serial:DEVICE:BAUD, and after it /3 for the one of system"
+                        + " id 3, /1-5 for five; several with commas between them"));
         label.setLabelFor(address);
         address.setName("boat-connect-address");
         connect.setName("boat-connect-do");
@@ -56,7 +59,7 @@ public final class ConnectForm extends JPanel {
         add(said, "growx, hmin 40, " + KEEP);
         add(giveUp, "hmin 40");
         giveUp.setName("boat-connect-give-up");
-        giveUp.setToolTipText("Try this address no longer");
+        giveUp.setToolTipText("Try the addresses at which nobody answers no longer");
         giveUp.addActionListener(e -> giveUp());
         addHierarchyListener(event -> {
             if (isShowing()) {
@@ -91,7 +94,7 @@ public final class ConnectForm extends JPanel {
             return Optional.of("Type the address, such as 10.0.0.11:11411 or mavlink:udp:14550");
         }
         try {
-            BoatAddress.parse(text);
+            BoatAddress.parseAll(text);
             return Optional.empty();
         } catch (IllegalArgumentException unfit) {
             return Optional.of(String.valueOf(unfit.getMessage()));
@@ -103,28 +106,33 @@ public final class ConnectForm extends JPanel {
         connect.setEnabled(wrong.isEmpty());
         connect.setToolTipText(context.say(wrong.orElse("Connect to this boat (Enter)")));
         if (!address.getText().isBlank()) {
-            attempt =
-                    Optional.empty(); // another address is typed: what came of the last one is in messages and the list
-            // of boats
+            attempts =
+                    List.of(); // another address is typed: what came of the last is in messages and the list of boats
         }
         refresh();
     }
 
-    /** Says what came of the last address, or why the one that is typed cannot be used. */
+    /** Says what came of the last addresses, or why what is typed cannot be used. */
     void refresh() {
-        giveUp.setVisible(attempt.filter(one -> one.state() == State.NO_ANSWER).isPresent());
-        if (attempt.isEmpty()) {
+        giveUp.setVisible(attempts.stream().anyMatch(one -> one.state() == State.NO_ANSWER));
+        if (attempts.isEmpty()) {
             say(wrong().orElse(""), SemanticColor.MUTED);
             return;
         }
-        State state = attempt.get().state();
-        boolean bad = state == State.REFUSED || state == State.NO_ANSWER;
-        String goesOn = state == State.CONNECTING ? ". It goes on when this is closed." : "";
+        boolean isBad = attempts.stream().anyMatch(ConnectForm::isBad);
+        boolean isDone = attempts.stream().allMatch(one -> one.state() == State.CONNECTED);
         say(
-                (bad ? "▲ " : state == State.CONNECTED ? "✓ " : "")
-                        + attempt.get().words()
-                        + goesOn,
-                bad ? SemanticColor.WARNING : state == State.CONNECTED ? SemanticColor.OK : SemanticColor.TEXT);
+                attempts.stream().map(ConnectForm::words).collect(Collectors.joining("\n")),
+                isBad ? SemanticColor.WARNING : isDone ? SemanticColor.OK : SemanticColor.TEXT);
+    }
+
+    private static boolean isBad(ConnectAttempt one) {
+        return one.state() == State.REFUSED || one.state() == State.NO_ANSWER;
+    }
+
+    private static String words(ConnectAttempt one) {
+        String mark = isBad(one) ? "▲ " : one.state() == State.CONNECTED ? "✓ " : "";
+        return mark + one.words() + (one.state() == State.CONNECTING ? ". It goes on when this is closed." : "");
     }
 
     private void say(String given, SemanticColor color) {
@@ -142,9 +150,11 @@ public final class ConnectForm extends JPanel {
             say("▲ " + wrong.get(), SemanticColor.WARNING);
             return;
         }
-        BoatAddress at = BoatAddress.parse(address.getText().strip());
+        List<BoatAddress> all = BoatAddress.parseAll(address.getText().strip());
         address.setText("");
-        attempt = Optional.of(ConnectAttempt.begin(context.session(), at, this::told));
+        attempts = all.stream()
+                .map(at -> ConnectAttempt.begin(context.session(), at, this::told))
+                .toList();
         refresh();
     }
 
@@ -159,10 +169,12 @@ public final class ConnectForm extends JPanel {
     }
 
     private void giveUp() {
-        attempt.ifPresent(one -> {
-            context.tell(context.session().fleet().disconnect(one.address()), one.address() + " is tried no longer");
-        });
-        attempt = Optional.empty();
+        attempts.stream()
+                .filter(one -> one.state() == State.NO_ANSWER)
+                .forEach(one -> context.tell(
+                        context.session().fleet().disconnect(one.address()), one.address() + " is tried no longer"));
+        attempts =
+                attempts.stream().filter(one -> one.state() != State.NO_ANSWER).toList();
         refresh();
         address.requestFocusInWindow();
     }

@@ -8,7 +8,7 @@ import javax.swing.Timer;
 import org.sami.boat.link.BoatMode;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.RefusedException;
 import org.sami.ui.command.Command;
 
 /**

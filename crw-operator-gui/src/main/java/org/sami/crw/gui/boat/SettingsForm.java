@@ -19,15 +19,17 @@ import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.proxy.status.BoatTuning;
-import org.sami.crw.session.FrontFleet;
-import org.sami.crw.session.RefusedException;
 import org.sami.palette.SemanticColor;
+import org.sami.session.api.FrontFleet;
+import org.sami.session.api.RefusedException;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.LookColors;
 
 /** The settings of the selected boat: gains of its two loops, velocity multiplier, what it does without a link. Each is set by itself, and says what the boat answered. */
 final class SettingsForm extends JPanel {
+    private static final String NOTHING = "nothing is wished";
+
     private final OperatorContext context;
     private final List<Line> lines = new ArrayList<>();
     private Optional<String> boat = Optional.empty();
@@ -113,22 +115,40 @@ final class SettingsForm extends JPanel {
                 multiplier,
                 settings -> number(settings.velocityMultiplier()),
                 (fleet, whom) -> fleet.setVelocityMultiplier(whom, number(multiplier))));
-        JComboBox<LostLinkAction> action = new JComboBox<>(LostLinkAction.values());
-        action.setName("boat-lost-link");
-        action.getAccessibleContext().setAccessibleName(context.say("What the boat does when its link is lost"));
-        action.setRenderer((list, value, index, selected, focused) -> {
-            JLabel label = new JLabel(value == null ? "" : context.say(LostLinkWords.of(value)));
-            label.setOpaque(selected);
-            LookColors.background(label, SemanticColor.SELECTION);
-            LookColors.foreground(label, selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT);
-            return label;
-        });
+        JComboBox<LostLinkAction> action = actions("boat-lost-link", "What the boat does when its link is lost");
         lines.add(new Line(
                 "lost-link",
                 "Without a link",
                 action,
                 settings -> context.say(LostLinkWords.of(settings.lostLinkAction())),
                 (fleet, whom) -> fleet.setLostLinkAction(whom, action.getItemAt(action.getSelectedIndex()))));
+        JComboBox<LostLinkAction> wish = actions("boat-lost-link-wish", "What is wished of all boats without a link");
+        wish.insertItemAt(null, 0);
+        wish.setSelectedIndex(0);
+        lines.add(new Line(
+                "lost-link-wish",
+                "Wished without a link",
+                wish,
+                settings -> wished(context.lostLinkWish()),
+                (fleet, whom) -> fleet.wishLostLink(Optional.ofNullable(wish.getItemAt(wish.getSelectedIndex())))));
+    }
+
+    private String wished(Optional<LostLinkAction> wish) {
+        return wish.map(LostLinkWords::of).map(context::say).orElse(NOTHING);
+    }
+
+    private JComboBox<LostLinkAction> actions(String name, String accessible) {
+        JComboBox<LostLinkAction> box = new JComboBox<>(LostLinkAction.values());
+        box.setName(name);
+        box.getAccessibleContext().setAccessibleName(context.say(accessible));
+        box.setRenderer((list, value, index, selected, focused) -> {
+            JLabel label = new JLabel(value == null ? NOTHING : context.say(LostLinkWords.of(value)));
+            label.setOpaque(selected);
+            LookColors.background(label, SemanticColor.SELECTION);
+            LookColors.foreground(label, selected ? SemanticColor.ON_SELECTION : SemanticColor.TEXT);
+            return label;
+        });
+        return box;
     }
 
     private void addGains(String id, String title, GainAxis axis, Function<BoatTuning, Gains> of) {

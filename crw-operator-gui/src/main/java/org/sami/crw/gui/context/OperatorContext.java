@@ -3,15 +3,16 @@ package org.sami.crw.gui.context;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.MissionTitles;
-import org.sami.crw.session.FrontSession;
-import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
 import org.sami.palette.ProxyMarks;
+import org.sami.session.api.FrontSession;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.vocabulary.Vocabulary;
 import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.window.Notices;
@@ -61,13 +62,13 @@ public record OperatorContext(
      * @throws IllegalStateException where it runs elsewhere ({@link #whyNotHere})
      */
     public Session here() {
-        return session().inProcess().orElseThrow(() -> new IllegalStateException(ELSEWHERE));
+        return Session.inProcess(session()).orElseThrow(() -> new IllegalStateException(ELSEWHERE));
     }
 
     /** Why what only the session's own machine has cannot be used; empty where it can. */
     public Optional<String> whyNotHere() {
         return whyNotAct()
-                .or(() -> shown.session().flatMap(FrontSession::inProcess).isPresent()
+                .or(() -> shown.session().flatMap(Session::inProcess).isPresent()
                         ? Optional.empty()
                         : Optional.of(ELSEWHERE));
     }
@@ -75,6 +76,11 @@ public record OperatorContext(
     /** Why nothing can act on boats or missions; empty where it can. */
     public Optional<String> whyNotAct() {
         return shown.session().isPresent() ? Optional.empty() : Optional.of(REPLAY);
+    }
+
+    /** What the session that runs wishes that boats do when their link is lost; empty where it wishes nothing, and in a replay. */
+    public Optional<LostLinkAction> lostLinkWish() {
+        return shown.session().flatMap(session -> session.fleet().lostLinkWish());
     }
 
     /** What the session's plans command: what they are called. */

@@ -8,7 +8,7 @@ import java.util.function.Function;
 import java.util.function.LongConsumer;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.operator.OperatorModels;
-import org.sami.crw.session.FrontSession;
+import org.sami.session.api.FrontSession;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Project;

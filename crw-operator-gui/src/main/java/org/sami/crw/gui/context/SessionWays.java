@@ -5,15 +5,18 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import org.sami.crw.decision.DomainQuestion;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.operator.map.TaskWays;
 import org.sami.spn.protocol.Decision;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.TaskId;
 import org.sami.ui.value.RobotWays;
 
 /**
@@ -44,6 +47,11 @@ public final class SessionWays {
                 .filter(DomainQuestion::isAboutWays)
                 .map(question -> context.shown().doubtedPaths(decision))
                 .orElse(CompletableFuture.completedFuture(Optional.empty()));
+    }
+
+    /** Where the tasks are that a value allocates, as far as they have a place; arrives on the event thread. */
+    public CompletionStage<Map<TaskId, GeoPoint>> places(Set<TaskId> tasks) {
+        return context.shown().ask(view -> TaskWays.places(tasks, view));
     }
 
     private void find(Asked asked, Consumer<List<GeoPoint>> teller) {

@@ -1,8 +1,8 @@
 package org.sami.crw.gui.decision;
 
 import java.util.Optional;
-import org.sami.crw.judgement.Judgement;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.Judgement;
+import org.sami.session.api.RefusedException;
 import org.sami.spn.protocol.Answer;
 
 /**

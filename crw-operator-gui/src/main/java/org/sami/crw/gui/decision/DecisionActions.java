@@ -2,8 +2,8 @@ package org.sami.crw.gui.decision;
 
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
-import org.sami.crw.judgement.DraftAnswer;
-import org.sami.crw.judgement.Judgement;
+import org.sami.session.api.DraftAnswer;
+import org.sami.session.api.Judgement;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
 

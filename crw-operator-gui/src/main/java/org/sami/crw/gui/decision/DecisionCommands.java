@@ -11,6 +11,8 @@ final class DecisionCommands {
     private final Command draw;
     private final Command later;
     private final Command earlier;
+    private final Command nextOption;
+    private final Command optionBefore;
     private final Command stopTimer;
     private final Command focus;
 
@@ -35,6 +37,15 @@ final class DecisionCommands {
                 .withKey("alt UP")
                 .withIcon("up")
                 .unless(steps::whyNotBrowse));
+        nextOption = registry.add(new Command("decision-option-next", "Next option on the map", () -> steps.look(1))
+                .withKey("alt PAGE_DOWN")
+                .withIcon("right")
+                .unless(steps::whyNotLook));
+        optionBefore =
+                registry.add(new Command("decision-option-before", "Option before on the map", () -> steps.look(-1))
+                        .withKey("alt PAGE_UP")
+                        .withIcon("left")
+                        .unless(steps::whyNotLook));
         stopTimer = registry.add(new Command("decision-stop-timer", "Stop the timer", steps::stopTimer)
                 .withKey("ctrl shift T")
                 .withIcon("pause")
@@ -69,6 +80,7 @@ final class DecisionCommands {
 
     /** Asks all again whether they can be run. */
     void refresh() {
-        List.of(answer, refuse, draw, later, earlier, stopTimer, focus).forEach(Command::refresh);
+        List.of(answer, refuse, draw, later, earlier, nextOption, optionBefore, stopTimer, focus)
+                .forEach(Command::refresh);
     }
 }

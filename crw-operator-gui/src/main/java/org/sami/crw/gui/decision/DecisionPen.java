@@ -5,10 +5,11 @@ import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.sami.crw.gui.decision.DecisionMap.PenEnd;
-import org.sami.crw.judgement.Judgement;
+import org.sami.session.api.Judgement;
 import org.sami.ui.geo.GeoSketch;
 
 /**
@@ -56,7 +57,18 @@ final class DecisionPen {
         if (held.isEmpty()) {
             wanting.filter(view -> !isDown(view) && map.isFree()).ifPresent(this::take);
         }
-        map.say(wanting.map(this::words).orElse(""));
+        map.say(wanting.map(this::words)
+                .or(() -> shown.filter(view -> answerable && seen).flatMap(DecisionPen::lookedAt))
+                .orElse(""));
+    }
+
+    /** Which of several options the map shows. */
+    private static Optional<String> lookedAt(DecisionView view) {
+        OptionalInt looked = view.editor().looked();
+        return looked.isEmpty()
+                ? Optional.empty()
+                : Optional.of("Option " + (looked.getAsInt() + 1) + " of "
+                        + view.editor().options() + " · Alt+Page Down shows the next one");
     }
 
     /** Whether a decision is answered on the map. */

@@ -25,6 +25,12 @@ interface DecisionSteps {
     /** Shows another decision, and answers nothing. */
     void browse(int step);
 
+    /** Why no other option can be looked at; empty where one can. */
+    Optional<String> whyNotLook();
+
+    /** Looks at another of the options that are compared, so many further on, which chooses none. */
+    void look(int step);
+
     /** Why no decision can be looked at besides the shown one; empty where one can. */
     Optional<String> whyNotBrowse();
 

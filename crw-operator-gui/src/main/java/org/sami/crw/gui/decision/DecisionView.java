@@ -8,7 +8,7 @@ import javax.swing.JComponent;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.OfferedOption;
 import org.sami.crw.gui.value.JudgedDraft;
-import org.sami.crw.judgement.DraftAnswer;
+import org.sami.session.api.DraftAnswer;
 import org.sami.spn.component.ChosenComponent;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.Interactions;

@@ -18,9 +18,9 @@ import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.sami.crw.gui.picture.ShownPictures;
 import org.sami.crw.gui.value.JudgementView;
-import org.sami.crw.judgement.Judgement;
 import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.palette.SemanticColor;
+import org.sami.session.api.Judgement;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.Interactions;
 import org.sami.spn.protocol.Answer;
@@ -257,7 +257,16 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
                 new DecisionView(pending.presentation(), interactions, choice, editors, actions, this::rejudged);
         made.editor().addListener(() -> edited(made));
         made.editor().onPressed(this::answer);
+        made.editor().onLooked(() -> looked(made));
         return made;
+    }
+
+    /** Another option is looked at: it is drawn on the map in place of the one before. */
+    private void looked(DecisionView view) {
+        if (current.filter(view::equals).isPresent()) {
+            map.show(view.decision(), view.editor().values());
+            tendPen();
+        }
     }
 
     private void edited(DecisionView view) {
@@ -404,6 +413,21 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
     public void browse(int step) {
         shown.browse(step);
         refresh();
+    }
+
+    @Override
+    public Optional<String> whyNotLook() {
+        return current.filter(view -> view.editor().looked().isPresent()).isPresent()
+                ? Optional.empty()
+                : Optional.of("the decision that is shown compares no options");
+    }
+
+    @Override
+    public void look(int step) {
+        current.ifPresent(view -> {
+            shown.keep();
+            view.editor().look(step);
+        });
     }
 
     private void select(long decision) {

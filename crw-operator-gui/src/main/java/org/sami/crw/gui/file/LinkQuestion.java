@@ -5,8 +5,8 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import org.sami.crw.session.LinkedBoat;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.LinkedBoat;
+import org.sami.session.api.RefusedException;
 
 /**
  * Asks a session now and then which boats it has links to: not before it has answered, and not again once it refused. A base of an older version does not know the question and does not say

@@ -1,6 +1,7 @@
 package org.sami.crw.gui.map;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,16 +10,20 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import org.sami.crw.decision.DecisionPresentation;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.gui.context.SessionWays;
 import org.sami.crw.gui.decision.BoatPick;
 import org.sami.crw.gui.decision.DecisionMap;
 import org.sami.crw.operator.map.PlacesInText;
+import org.sami.crw.operator.map.TaskWays;
 import org.sami.palette.ProxyMarks;
 import org.sami.spn.protocol.Question;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.MapValue;
 import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 import org.sami.ui.geo.GeoSketch;
 import org.sami.ui.map.MapView;
@@ -37,6 +42,8 @@ final class DecisionOverlay implements DecisionMap {
     private final UnaryOperator<String> words;
     private Optional<GeoSketch> drawn = Optional.empty();
     private long shownFor;
+    private final Map<TaskId, GeoPoint> taskPlaces = new HashMap<>();
+    private final Runnable fitAll;
     private Optional<DoubtedPaths> doubted = Optional.empty();
 
     /**
@@ -44,9 +51,17 @@ final class DecisionOverlay implements DecisionMap {
      *
      * @param pen with which decisions are answered on the map
      * @param ways of boats: the paths of an option are drawn as they would be driven
+     * @param fitAll shows all that is on the map
      * @param words puts the word for the session's robots into a text about boats
      */
-    DecisionOverlay(MapView view, ProxyMarks marks, SessionWays ways, MapPen pen, UnaryOperator<String> words) {
+    DecisionOverlay(
+            MapView view,
+            ProxyMarks marks,
+            SessionWays ways,
+            MapPen pen,
+            Runnable fitAll,
+            UnaryOperator<String> words) {
+        this.fitAll = fitAll;
         this.view = view;
         this.pen = pen;
         this.ways = ways;
@@ -57,7 +72,8 @@ final class DecisionOverlay implements DecisionMap {
 
     @Override
     public void show(DecisionPresentation decision, List<Value> values) {
-        if (shownFor != decision.id()) {
+        boolean other = shownFor != decision.id();
+        if (other) {
             doubted = Optional.empty();
         }
         shownFor = decision.id();
@@ -69,7 +85,31 @@ final class DecisionOverlay implements DecisionMap {
                                 draw(decision, values);
                             }));
         }
+        if (other) {
+            taskPlaces.clear();
+        }
+        Set<TaskId> tasks = values.stream()
+                .flatMap(value -> TaskWays.tasks(value).stream())
+                .filter(task -> !taskPlaces.containsKey(task))
+                .collect(Collectors.toSet());
         draw(decision, values);
+        if (!tasks.isEmpty()) {
+            ways.places(tasks).thenAccept(found -> {
+                if (shownFor == decision.id() && !found.isEmpty()) {
+                    taskPlaces.putAll(found);
+                    draw(decision, values);
+                    fit();
+                }
+            });
+        } else if (other) {
+            fit(); // once: who moves the map then wants it elsewhere
+        }
+    }
+
+    private void fit() {
+        if (pen.isFree() && !places.isInSight()) {
+            fitAll.run();
+        }
     }
 
     private void draw(DecisionPresentation decision, List<Value> values) {
@@ -94,6 +134,7 @@ final class DecisionOverlay implements DecisionMap {
     private List<Value> shown(DecisionPresentation decision, List<Value> values) {
         List<Value> all = new ArrayList<>(decision.approved());
         all.addAll(drawn.isPresent() ? List.of() : values);
+        all.replaceAll(value -> TaskWays.of(value, taskPlaces));
         return all;
     }
 
@@ -131,7 +172,7 @@ final class DecisionOverlay implements DecisionMap {
             ended.accept(end);
         });
         if (sketch.points().stream().anyMatch(point -> !view.frame().isShown(point))) {
-            view.fitAll();
+            fitAll.run();
         }
     }
 

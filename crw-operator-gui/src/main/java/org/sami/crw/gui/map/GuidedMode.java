@@ -13,9 +13,9 @@ import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.FleetStopState;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.explanation.ExplainedCommand;
-import org.sami.crw.session.GuidedBoats;
-import org.sami.crw.session.RefusedException;
-import org.sami.crw.session.WayByHand;
+import org.sami.session.api.GuidedBoats;
+import org.sami.session.api.RefusedException;
+import org.sami.session.api.WayByHand;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.value.GeoPoint;
 

@@ -60,7 +60,7 @@ public final class MapPanel extends JPanel {
     private final GuidedMode guided;
     private final CommandRow tools = new CommandRow();
     private final Timer pace = new Timer(SHOW_MS, e -> refresh());
-    private final FirstView firstView = new FirstView(view);
+    private final FirstView firstView;
     private final JLabel consequence = new JLabel(" ");
     private final PlacesOnMap preview;
     private final NamedPlaces named = new NamedPlaces(view, "message");
@@ -77,6 +77,7 @@ public final class MapPanel extends JPanel {
         guided = new GuidedMode(context);
         preview = new PlacesOnMap(view, "preview", context.marks()::of);
         pen = new MapPen(view, () -> pointing, this::placeOf, context::say);
+        firstView = new FirstView(view, pen::isFree);
         MapPen.onEscape(this, this::escape);
         addTools();
         consequence.setName("boats-consequence");
@@ -325,7 +326,13 @@ public final class MapPanel extends JPanel {
 
     /** Where the shown decision is seen on this map; to be asked for once. */
     public DecisionMap decisionMap() {
-        return new DecisionOverlay(view, context.marks(), new SessionWays(context), pen, context::say);
+        return new DecisionOverlay(
+                view,
+                context.marks(),
+                new SessionWays(context),
+                pen,
+                () -> firstView.moved(view::fitAll),
+                context::say);
     }
 
     /** Shows the base maps that an earlier window of these settings had, and keeps in them those that this one has. */

@@ -120,9 +120,10 @@ public final class InterruptsPanel extends JPanel {
             }
         }
         if (groups.isEmpty()) {
-            column.add(
-                    new WrappedText("No running mission offers an interrupt. Each that does has its buttons here."),
-                    "wmin 0");
+            WrappedText none =
+                    new WrappedText("No running mission offers an interrupt. Each that does has its buttons here.");
+            none.setColor(SemanticColor.MUTED);
+            column.add(none, "wmin 0, gaptop 8");
         }
         column.revalidate();
         column.repaint();

@@ -27,6 +27,7 @@ final class MissionHead {
     private final CommandRow line = new CommandRow();
     private final JPanel icons =
             new JPanel(new MigLayout("novisualpadding, insets 0, gap 0, fillx, hidemode 3", "8[grow,fill][][][][][]"));
+    private final List<CommandButton> ending;
     private final CommandButton subMission;
     private final CommandButton sendAgain;
     private final JLabel brief = new JLabel();
@@ -37,6 +38,7 @@ final class MissionHead {
         ENDING.forEach(id -> line.right(new CommandButton(commands.get(id))));
         line.right(new CommandButton(commands.get(CLOSING)));
         icons.setOpaque(false);
+        ending = ENDING.stream().map(id -> icon(commands, id)).toList();
         subMission = icon(commands, SUB_MISSION);
         sendAgain = icon(commands, "mission-send-again");
         brief.setName("mission-stuck-brief");
@@ -45,9 +47,10 @@ final class MissionHead {
         icons.add(brief, "wmin 0");
         icons.add(sendAgain);
         icons.add(subMission);
-        ENDING.forEach(id -> icons.add(icon(commands, id)));
+        ending.forEach(icons::add);
         icons.add(icon(commands, CLOSING));
         setLow(false);
+        setNarrow(false);
         needSubMissions(false);
         showStuck(Optional.empty());
     }
@@ -70,6 +73,11 @@ final class MissionHead {
     void setLow(boolean low) {
         line.setVisible(!low);
         icons.setVisible(low);
+    }
+
+    /** Leaves the icons their words where there is room for them next to the tabs. */
+    void setNarrow(boolean narrow) {
+        ending.forEach(button -> button.setHideActionText(narrow));
     }
 
     boolean isLow() {

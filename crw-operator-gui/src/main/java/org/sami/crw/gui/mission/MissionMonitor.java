@@ -38,7 +38,6 @@ public final class MissionMonitor extends JPanel {
     private final Map<Long, MissionView> views = new LinkedHashMap<>();
     private final PlansPanel plans;
     private final GlobalsPanel globals;
-    private final PhaseFollower phases;
     private final EndedMissionsPanel over;
     private final Set<Long> again = new HashSet<>(); // ended ones that the operator has shown again
     private final Map<Long, State> states = new HashMap<>(); // as the icons of the tabs say
@@ -58,17 +57,13 @@ public final class MissionMonitor extends JPanel {
     public MissionMonitor(OperatorContext context, MissionStarter starter, ValueEditors editors, LoadedProject file) {
         super(new BorderLayout());
         this.context = context;
-        phases = new PhaseFollower(context.vocabulary(), this::phasesChanged);
-        context.shown().addListener(phases);
         tabs.setName("mission-tabs");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
         plans = new PlansPanel(context, starter);
         globals = new GlobalsPanel(context, editors, file);
         tabs.addTab("Plans", Icons.small("folder"), plans);
         plans.onNeedToShow(() -> {
-            if (!isShowing()) {
-                context.commands().find("panel-missions").ifPresent(Command::run);
-            }
+            toFront();
             tabs.setSelectedComponent(plans);
         });
         tabs.addTab("Globals", Icons.small("variables"), globals);
@@ -77,6 +72,7 @@ public final class MissionMonitor extends JPanel {
         add(tabs);
         addCommands();
         context.models().missions().addListener(this::show);
+        context.models().gantt().addListener(missions -> showPhases());
         context.models().health().addListener(health -> tabChanged()); // no mission goes on while the engine does not
         show(context.models().missions().snapshot());
     }
@@ -133,10 +129,7 @@ public final class MissionMonitor extends JPanel {
                                 ? Optional.empty()
                                 : Optional.of("only the tab of an ended mission can be closed")));
         context.commands()
-                .add(new Command(
-                                "mission-sub-mission",
-                                "Show a sub-mission…",
-                                () -> shown().ifPresent(MissionView::chooseSubMission))
+                .add(new Command("mission-sub-mission", "Show a sub-mission…", this::chooseSubMission)
                         .withKey("ctrl P")
                         .withIcon("layers")
                         .unless(() ->
@@ -178,8 +171,25 @@ public final class MissionMonitor extends JPanel {
         return ending().isPresent() ? Optional.empty() : Optional.of("press Abort mission or Complete mission first");
     }
 
+    /** What is proposed is to be read before it is confirmed: a key may be pressed while the panel lies behind another. */
     private void propose(boolean abort) {
-        shown().ifPresent(view -> view.propose(abort));
+        shown().ifPresent(view -> {
+            toFront();
+            view.propose(abort);
+        });
+    }
+
+    private void chooseSubMission() {
+        shown().ifPresent(view -> {
+            toFront();
+            view.chooseSubMission();
+        });
+    }
+
+    private void toFront() {
+        if (!isShowing()) {
+            context.commands().find("panel-missions").ifPresent(Command::run);
+        }
     }
 
     /** Shows what changes by itself; to be called a few times a second. */
@@ -200,16 +210,14 @@ public final class MissionMonitor extends JPanel {
         });
     }
 
-    private void phasesChanged(long mission) {
-        MissionView view = views.get(mission);
-        if (view != null) {
-            view.show(phases.of(mission));
-        }
+    private void showPhases() {
+        shown().ifPresent(view -> view.show(context.models().gantt().mission(view.mission())));
     }
 
     /** A tab that was hidden was not kept up to date. */
     private void tabChanged() {
         MissionsSnapshot missions = context.models().missions().snapshot();
+        showPhases();
         shown().filter(views::containsValue)
                 .ifPresent(view -> missions.mission(view.mission()).ifPresent(mission -> view.show(mission, missions)));
         refreshCommands();
@@ -289,7 +297,7 @@ public final class MissionMonitor extends JPanel {
 
     private MissionView added(MissionSnapshot mission, MissionsSnapshot all) {
         MissionView view = new MissionView(context, mission, all, this::refreshCommands);
-        view.show(phases.of(mission.id()));
+        view.show(context.models().gantt().mission(mission.id()));
         boolean twice = views.keySet().stream()
                 .flatMap(id -> all.mission(id).stream())
                 .anyMatch(other -> other.id() != mission.id() && other.words().equals(mission.words()));

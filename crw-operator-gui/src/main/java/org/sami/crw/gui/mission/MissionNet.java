@@ -33,7 +33,7 @@ import org.sami.ui.net.NetView;
  * choice, or a double click on their place, away.
  */
 final class MissionNet extends FoldingPanel {
-    private static final int LOW = 140;
+    private static final int LOW = 260;
 
     private final OperatorContext context;
     private final long root;

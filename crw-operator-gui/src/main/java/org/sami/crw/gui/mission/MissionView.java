@@ -11,6 +11,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.operator.gantt.GanttMission;
 import org.sami.crw.operator.mission.EngineText;
 import org.sami.crw.operator.mission.MissionEnd;
 import org.sami.crw.operator.mission.MissionSnapshot;
@@ -27,7 +28,8 @@ import org.sami.ui.table.RowTable;
 
 /** One mission: where its tokens are, what it waits for and why nothing fires, its variables; its end in two buttons. */
 final class MissionView extends FoldingPanel {
-    private static final int LOW = 195;
+    private static final int LOW = 300;
+    private static final int NARROW = 720; // tabs, the words of both buttons and what is stuck
     private static final int LEAST_TAB = 64;
 
     private final long mission;
@@ -83,6 +85,7 @@ final class MissionView extends FoldingPanel {
         add(top, BorderLayout.NORTH);
         add(parts);
         foldBelowHeight(LOW, this::leaveRoomToNet);
+        foldBelowWidth(NARROW, head::setNarrow);
     }
 
     /** Its net. */
@@ -208,7 +211,7 @@ final class MissionView extends FoldingPanel {
     }
 
     /** Shows how far it is in the phases of its plan. */
-    void show(Optional<PhaseFollower.Phases> now) {
+    void show(Optional<GanttMission> now) {
         phases.show(now);
     }
 

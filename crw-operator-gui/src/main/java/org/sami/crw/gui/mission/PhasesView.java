@@ -8,7 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.util.Optional;
 import javax.swing.JComponent;
-import org.sami.crw.gui.mission.PhaseFollower.Phases;
+import org.sami.crw.operator.gantt.GanttMission;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.phase.PhaseAction;
 import org.sami.spn.phase.PhaseProgress.Status;
@@ -24,14 +24,14 @@ final class PhasesView extends JComponent {
     private static final int ACTOR_WIDTH = 110;
     private static final int HEAD_HEIGHT = 32;
 
-    private Optional<Phases> phases = Optional.empty();
+    private Optional<GanttMission> phases = Optional.empty();
 
     PhasesView() {
         setName("mission-phases");
     }
 
-    void show(Optional<Phases> now) {
-        phases = now;
+    void show(Optional<GanttMission> now) {
+        phases = now.filter(mission -> !mission.chart().isEmpty());
         revalidate();
         repaint();
     }
@@ -55,8 +55,8 @@ final class PhasesView extends JComponent {
     }
 
     private PhaseView view(String phase) {
-        Phases now = phases.orElseThrow();
-        return now.chart().view(phase, now.progress().taken());
+        GanttMission now = phases.orElseThrow();
+        return now.chart().view(phase, now.taken());
     }
 
     @Override
@@ -100,7 +100,7 @@ final class PhasesView extends JComponent {
     }
 
     private void paint(Graphics2D g, PhaseAction action, int x, int y) {
-        Status status = phases.orElseThrow().progress().status(action.id());
+        Status status = phases.orElseThrow().status(action.id());
         boolean active = status == Status.ACTIVE;
         Color fill = active ? SemanticColor.ACCENT.get() : SemanticColor.SURFACE.get();
         Color line = status == Status.DONE ? SemanticColor.OK.get() : SemanticColor.ACCENT.get();

@@ -29,10 +29,12 @@ import org.sami.ui.look.LookColors;
 import org.sami.ui.look.Spacing;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
+import org.sami.ui.value.WrappedText;
 
 /** The plans of the session's project in its mission tree, one click from a mission; they are searched by what they are called and what they do. */
 public final class PlansPanel extends JPanel {
     private static final int LEAST_ROWS = 3;
+    private static final int ROOM_FOR_ABOUT = 236;
     private static final int LOW = 170;
     private static final String IN_ROW = "novisualpadding, hidemode 3, insets 8 8 4 8, gap 4 4, fillx";
     private static final int ROUND_BUTTONS = 20; // insets above and below them, and gaps between three in a column
@@ -52,6 +54,7 @@ public final class PlansPanel extends JPanel {
     private final OnePress begins = new OnePress();
     private final DisabledNote disabled = new DisabledNote("plans-disabled");
     private final ReadyNote ready;
+    private final WrappedText about = new WrappedText("");
     private final Command start;
     private Optional<Project> project = Optional.empty();
     private Runnable shower = () -> {};
@@ -88,6 +91,7 @@ public final class PlansPanel extends JPanel {
             start.refresh();
             startWith.refresh();
             disabled.show(chosen());
+            tellAbout();
         });
         table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "start");
         table.table().getActionMap().put("start", start);
@@ -114,7 +118,10 @@ public final class PlansPanel extends JPanel {
         add(table);
         JPanel notes = new JPanel(new BorderLayout());
         notes.setOpaque(false);
-        notes.add(disabled, BorderLayout.NORTH);
+        about.setName("plan-about");
+        about.setBorder(BorderFactory.createEmptyBorder(Spacing.NORMAL, Spacing.INSET, Spacing.NORMAL, Spacing.INSET));
+        notes.add(about, BorderLayout.NORTH);
+        notes.add(disabled);
         notes.add(ready, BorderLayout.SOUTH);
         add(notes, BorderLayout.SOUTH);
         reload();
@@ -135,7 +142,17 @@ public final class PlansPanel extends JPanel {
         super.doLayout();
     }
 
+    /** What the selected plan does, in full: its row has one line. */
+    private void tellAbout() {
+        String words = table.selected().map(PlansPanel::about).orElse("");
+        if (!about.getText().equals(words)) {
+            about.setText(words);
+        }
+        about.setVisible(!words.isEmpty() && getHeight() >= Look.px(ROOM_FOR_ABOUT));
+    }
+
     private void arrange() {
+        tellAbout();
         boolean low = getHeight() < Look.px(LOW);
         above.setVisible(!low);
         beside.setVisible(low);

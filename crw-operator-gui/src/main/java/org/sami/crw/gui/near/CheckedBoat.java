@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.boat.LaunchWords;
 import org.sami.crw.operator.OperatorModels;
@@ -17,9 +18,10 @@ import org.sami.palette.SemanticColor;
 /** A boat near as a row shows it: with its check, if the session knows it. */
 record CheckedBoat(NearRow row, Optional<BoatSnapshot> known, Optional<LaunchCheck> check) {
     /** The boats of a list, those with problems first: in a low window the others may not be visible. */
-    static List<CheckedBoat> of(NearList list, OperatorModels models, long nowMillis) {
+    static List<CheckedBoat> of(
+            NearList list, OperatorModels models, long nowMillis, Optional<LostLinkAction> lostLinkWish) {
         return list.rows().stream()
-                .map(row -> of(row, models, nowMillis))
+                .map(row -> of(row, models, nowMillis, lostLinkWish))
                 .sorted(Comparator.comparingInt(CheckedBoat::trouble).reversed())
                 .toList();
     }
@@ -38,12 +40,14 @@ record CheckedBoat(NearRow row, Optional<BoatSnapshot> known, Optional<LaunchChe
         };
     }
 
-    private static CheckedBoat of(NearRow row, OperatorModels models, long nowMillis) {
+    private static CheckedBoat of(
+            NearRow row, OperatorModels models, long nowMillis, Optional<LostLinkAction> lostLinkWish) {
         Optional<BoatSnapshot> known = row.boat().flatMap(models.fleet()::boat);
         return new CheckedBoat(
                 row,
                 known,
-                known.map(boat -> LaunchCheck.of(boat, models.alarms().snapshot(), OptionalDouble.empty(), nowMillis)));
+                known.map(boat -> LaunchCheck.of(
+                        boat, models.alarms().snapshot(), OptionalDouble.empty(), nowMillis, lostLinkWish)));
     }
 
     String name() {

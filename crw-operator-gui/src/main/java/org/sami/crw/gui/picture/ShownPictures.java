@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.markup.MapRelevance;
 import org.sami.crw.operator.picture.PanoramaPictures;
@@ -44,6 +45,20 @@ public final class ShownPictures implements AutoCloseable {
             shown.addAll(PictureChoice.of(each));
         }
         return shown;
+    }
+
+    /** The newest picture of a robot: of those that are here, else of those that may come; empty where there is none. */
+    public Optional<PictureChoice> newest(String robot) {
+        List<PictureChoice> taken = all().stream()
+                .filter(each -> each.boat().equals(robot))
+                .flatMap(each -> PictureChoice.of(each).stream())
+                .toList();
+        return last(taken, one -> one.picture().file().isPresent())
+                .or(() -> last(taken, one -> one.picture().isComing()));
+    }
+
+    private static Optional<PictureChoice> last(List<PictureChoice> taken, Predicate<PictureChoice> which) {
+        return taken.stream().filter(which).reduce((earlier, later) -> later);
     }
 
     /** A picture that fits into a box of pixels; empty while it is being read. */

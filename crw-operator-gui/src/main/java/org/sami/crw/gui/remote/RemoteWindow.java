@@ -94,13 +94,10 @@ public final class RemoteWindow {
         FleetStopCommands fleetStop = new FleetStopCommands(context);
         panels = new OperatorPanels(context, settings, new LoadedProject(Optional.empty()));
         sounds = AlarmSounds.of(context, settings);
-        dock = new DockArea(frame, panels.all(), OperatorPanels.FIRST, data.arrangement());
+        dock = new DockArea(frame, panels.all(), panels.offered(), data.arrangement());
         ViewCommands view = new ViewCommands(commands, frame, settings);
         view.addPanels(dock);
-        commands.add(new Command(
-                "arrangement-first", "Missions right, decisions in sight", () -> dock.arrange(OperatorPanels.FIRST)));
-        commands.add(new Command(
-                "arrangement-aims", "Robots left, one large map (AIMS)", () -> dock.arrange(OperatorPanels.AIMS)));
+        panels.addArrangements(dock, commands);
         commands.add(new Command("end", "Leave the session", this::end)
                 .withKey("ctrl Q")
                 .withIcon("close"));

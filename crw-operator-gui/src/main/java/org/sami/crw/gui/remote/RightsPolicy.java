@@ -36,7 +36,14 @@ final class RightsPolicy implements CommandPolicy {
                 "boat-add-simulated",
                 "address-give-up"),
         DRIVE("drive boats or fetch their logs", "boat-by-hand", "boat-cancel-command", "logs-fetch"),
-        SETUP("set up boats", "boat-set-heading", "boat-set-speed", "boat-set-velocity", "boat-set-lost-link");
+        SETUP(
+                "set up boats",
+                "boat-set-heading",
+                "boat-set-speed",
+                "boat-set-velocity",
+                "boat-set-lost-link",
+                "boat-set-lost-link-wish",
+                "boat-set-wished-lost-link");
 
         private final String words;
         private final List<String> commands;

@@ -32,6 +32,7 @@ import org.sami.crw.replay.Replay;
 import org.sami.crw.replay.ReplayedJournal;
 import org.sami.palette.ProxyMarks;
 import org.sami.palette.SemanticColor;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandKeys;
@@ -103,7 +104,7 @@ public final class ReplayWindow {
         timeLine = new TimeLinePanel(player, commands, TimeLinePanel.Keys.WINDOW);
         refuseWhatActs(context);
         frame.setName("replay-window");
-        frame.setTitle("REPLAY " + journal.file().getFileName() + " – SAMI operator");
+        frame.setTitle("REPLAY " + name(journal.address()) + " – SAMI operator");
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.setJMenuBar(new WindowMenus(commands, panels.all(), robots).bar());
         frame.getContentPane().add(band(journal, robots), BorderLayout.NORTH);
@@ -149,12 +150,20 @@ public final class ReplayWindow {
         }
     }
 
+    private static String name(JournalAddress journal) {
+        return journal.file().map(file -> file.getFileName().toString()).orElseGet(journal::toString);
+    }
+
+    private static String place(JournalAddress journal) {
+        return journal.file().map(file -> file.toAbsolutePath().toString()).orElseGet(journal::toString);
+    }
+
     private static JPanel band(ReplayedJournal journal, RobotKind robots) {
         JPanel band = new JPanel(new MigLayout("insets 8 12 8 12, gap 16", "[][]push[]", "[]"));
         band.setName("replay-band");
         LookColors.background(band, SemanticColor.WARNING_FILL);
         band.add(new BandLabel("REPLAY", "replay-mark", Fonts::title));
-        JLabel file = new BandLabel(journal.file().toAbsolutePath().toString(), "replay-file", Fonts::strong);
+        JLabel file = new BandLabel(place(journal.address()), "replay-file", Fonts::strong);
         file.setToolTipText(file.getText());
         band.add(file, "wmin 0, shrinkprio 200"); // what the window is for is read before where it comes from
         String damage = journal.damage()

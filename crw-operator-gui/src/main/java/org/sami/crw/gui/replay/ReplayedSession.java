@@ -12,7 +12,7 @@ import org.sami.crw.gui.context.ShownSession;
 import org.sami.crw.handler.motion.WayLimits;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.replay.Replay;
-import org.sami.crw.session.FrontSession;
+import org.sami.session.api.FrontSession;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Project;

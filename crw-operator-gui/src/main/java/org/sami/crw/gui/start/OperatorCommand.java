@@ -10,8 +10,10 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.cli.option.ConditionsConverter;
+import org.sami.crw.cli.option.JournalConverter;
 import org.sami.crw.cli.option.LayerOptions;
 import org.sami.crw.cli.option.LinkOptions;
+import org.sami.crw.cli.option.LostLinkOption;
 import org.sami.crw.cli.option.NetworkOption;
 import org.sami.crw.cli.option.VesselsFile;
 import org.sami.crw.cli.output.UsageFault;
@@ -21,6 +23,7 @@ import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.vessel.ForeignVessels;
+import org.sami.spn.journal.JournalAddress;
 import org.sami.spn.json.BoundedFile;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.json.FileTooLargeException;
@@ -70,8 +73,11 @@ public final class OperatorCommand implements Callable<Integer> {
     @Option(
             names = "--boats",
             paramLabel = "FILE",
-            description = "The same from a file: HOST:PORT on each line, # begins a remark.")
+            description = "The same from a file: addresses on each line, # begins a remark.")
     private @Nullable Path boatsFile;
+
+    @Mixin
+    private LostLinkOption lostLink = new LostLinkOption();
 
     @Option(
             names = "--near",
@@ -144,8 +150,12 @@ public final class OperatorCommand implements Callable<Integer> {
     @Option(
             names = "--replay",
             paramLabel = "JOURNAL",
-            description = "Show what was, at any moment of a session's journal, instead of opening a session.")
-    private @Nullable Path replay;
+            converter = JournalConverter.class,
+            description = {
+                "Show what was, at any moment of a session's journal, instead of opening a session: a file, or",
+                "postgresql://HOST:PORT/DATABASE."
+            })
+    private @Nullable JournalAddress replay;
 
     @Option(
             names = "--at",
@@ -192,7 +202,11 @@ public final class OperatorCommand implements Callable<Integer> {
     private StartOptions options() throws IOException {
         List<BoatAddress> addresses = new ArrayList<>();
         for (String text : connect) {
-            addresses.addAll(BoatAddress.parseAll(text));
+            try {
+                addresses.addAll(BoatAddress.parseAll(text));
+            } catch (IllegalArgumentException unfit) {
+                throw new IllegalArgumentException("--connect: " + unfit.getMessage(), unfit);
+            }
         }
         if (boatsFile != null) {
             addresses.addAll(addressesIn(boatsFile));
@@ -210,6 +224,7 @@ public final class OperatorCommand implements Callable<Integer> {
                 domain.equals(StartOptions.BOATS) ? domain : shipped(),
                 vessels(),
                 layers(),
+                lostLink.wish(),
                 Optional.of(remote).filter(RemoteOptions::isGiven));
     }
 
@@ -262,7 +277,7 @@ public final class OperatorCommand implements Callable<Integer> {
             String text = lines.get(i).replaceAll("#.*", "").strip();
             try {
                 if (!text.isEmpty()) {
-                    addresses.add(BoatAddress.parse(text));
+                    addresses.addAll(BoatAddress.parseAll(text));
                 }
             } catch (IllegalArgumentException unfit) {
                 throw new IOException("--boats: " + file + " line " + (i + 1) + ": " + unfit.getMessage());

@@ -9,9 +9,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.proxy.tcp.BoatAddress;
+import org.sami.crw.session.LostLinkWish;
 import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionRuntime;
 import org.sami.crw.session.SessionSetup;
@@ -47,6 +49,7 @@ public final class SessionOpener {
     private final boolean beginsBuiltIn;
     private final String domain;
     private WaterAround around = WaterAround.NONE;
+    private Optional<LostLinkAction> lostLinkWish = Optional.empty();
     private Optional<NamedConditions> named = Optional.empty();
     private Optional<SimulatedBoatsOnTcp> simulated = Optional.empty();
 
@@ -65,6 +68,7 @@ public final class SessionOpener {
                 options.hasBuiltInFleet(),
                 options.domain());
         around = new WaterAround(options.vessels(), options.layers());
+        lostLinkWish = options.lostLinkWish();
     }
 
     /**
@@ -110,6 +114,7 @@ public final class SessionOpener {
         Map<String, String> settings = new HashMap<>(stated.settings());
         conditions.ifPresent(named -> settings.putAll(named.waterSettings()));
         settings.putAll(around.settings());
+        LostLinkWish.note(lostLinkWish, settings);
         settings.put("kind", "session");
         settings.put(FLEET, beginsBuiltIn ? BUILT_IN : "real");
         JournalHeader header = JournalHeader.of(
@@ -196,6 +201,7 @@ public final class SessionOpener {
                 .withFront(EventThread.executor())
                 .withSimulatedBoats(launcher);
         Session session = Session.open(setup.with(runtime));
+        session.fleet().wish(lostLinkWish);
         List<BoatAddress> addresses = boats;
         if (builtIn) {
             addresses =

@@ -4,12 +4,14 @@ import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.cli.run.RemoteOptions;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.crw.sim.layer.WaterLayers;
 import org.sami.crw.sim.vessel.ForeignVessels;
 import org.sami.palette.Theme;
+import org.sami.spn.journal.JournalAddress;
 
 /**
  * How a window is to be opened.
@@ -26,6 +28,7 @@ import org.sami.palette.Theme;
  * @param domain whose plans are run, by the name of its folder
  * @param vessels on the water of simulated boats
  * @param layers of that water, by place
+ * @param lostLinkWish what boats are to do when their link is lost; empty = nothing is wished, or what the session that is gone on with wished
  * @param remote the session in another process that is to be shown, instead of one here
  */
 public record StartOptions(
@@ -34,13 +37,14 @@ public record StartOptions(
         Optional<Theme> theme,
         Optional<Integer> scale,
         Optional<Boolean> resume,
-        Optional<Path> replay,
+        Optional<JournalAddress> replay,
         Optional<Long> atMillis,
         Optional<NamedConditions> conditions,
         Near near,
         String domain,
         ForeignVessels vessels,
         WaterLayers layers,
+        Optional<LostLinkAction> lostLinkWish,
         Optional<RemoteOptions> remote) {
     /** The domain of the boats. */
     public static final String BOATS = "crw";
@@ -63,7 +67,7 @@ public record StartOptions(
             Optional<Theme> theme,
             Optional<Integer> scale,
             Optional<Boolean> resume,
-            Optional<Path> replay,
+            Optional<JournalAddress> replay,
             Optional<Long> atMillis,
             Optional<NamedConditions> conditions,
             Near near,
@@ -81,6 +85,7 @@ public record StartOptions(
                 domain,
                 ForeignVessels.NONE,
                 WaterLayers.NONE,
+                Optional.empty(),
                 Optional.empty());
     }
 
@@ -101,7 +106,7 @@ public record StartOptions(
             Optional<Theme> theme,
             Optional<Integer> scale,
             Optional<Boolean> resume,
-            Optional<Path> replay,
+            Optional<JournalAddress> replay,
             Optional<Long> atMillis) {
         this(boats, project, theme, scale, resume, replay, atMillis, Optional.empty(), Near.WHEN_ASKED, BOATS);
     }

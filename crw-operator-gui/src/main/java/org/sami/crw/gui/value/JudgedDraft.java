@@ -3,8 +3,8 @@ package org.sami.crw.gui.value;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import org.sami.crw.judgement.DraftAnswer;
-import org.sami.crw.judgement.Judgement;
+import org.sami.session.api.DraftAnswer;
+import org.sami.session.api.Judgement;
 
 /**
  * The judgement of an answer, or of other values, as they are filled in now: made off the event thread, one draft at a time, and again every few seconds, as boats move. On the

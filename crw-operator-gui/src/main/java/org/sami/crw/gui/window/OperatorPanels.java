@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.sami.crw.gui.boat.BoatListPanel;
 import org.sami.crw.gui.boat.SelectedBoatPanel;
 import org.sami.crw.gui.context.LoadedProject;
@@ -14,6 +16,7 @@ import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.context.RobotIcons;
 import org.sami.crw.gui.decision.DecisionsPanel;
 import org.sami.crw.gui.decision.SessionDecisions;
+import org.sami.crw.gui.gantt.GanttPanel;
 import org.sami.crw.gui.map.MapPanel;
 import org.sami.crw.gui.map.SessionMaps;
 import org.sami.crw.gui.mission.AllocationPanel;
@@ -33,8 +36,10 @@ import org.sami.crw.operator.mission.AllocationSnapshot;
 import org.sami.spn.component.ComponentChoice;
 import org.sami.spn.component.ComponentLibrary;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.ui.command.CommandRegistry;
 import org.sami.ui.dock.Arrangement;
 import org.sami.ui.dock.Arrangements;
+import org.sami.ui.dock.DockArea;
 import org.sami.ui.dock.DockPanel;
 import org.sami.ui.look.Look;
 import org.sami.ui.value.MapMaker;
@@ -48,6 +53,7 @@ public final class OperatorPanels implements AutoCloseable {
             Arrangement.of("map")
                     .right("missions", "map", 0.42)
                     .behind("pictures", "map")
+                    .behind("gantt", "map") // a tab row would take its height from the net of the missions
                     .below("boats", "map", 0.34)
                     .behind("boat", "boats")
                     .behind("communication", "boats")
@@ -67,6 +73,7 @@ public final class OperatorPanels implements AutoCloseable {
                     .behind("health", "boats")
                     .behind("log", "boats")
                     .below("decisions", "missions", 0.7) // by themselves, so that what waits stays in sight
+                    .behind("gantt", "missions")
                     .behind("boat", "missions") // the list of boats stays in sight
                     .behind("interrupts", "missions")
                     .behind("messages", "missions")
@@ -74,6 +81,7 @@ public final class OperatorPanels implements AutoCloseable {
             Arrangement.of("map")
                     .right("decisions", "map", 0.5)
                     .behind("missions", "map")
+                    .behind("gantt", "map")
                     .behind("pictures", "map")
                     .behind("boats", "map")
                     .behind("boat", "map")
@@ -88,17 +96,19 @@ public final class OperatorPanels implements AutoCloseable {
             new Dimension(720, 440));
 
     /**
-     * The other arrangement: thesis, Figure 5.6. The robots with their status on the left, one large map on which decisions draw, below it the mission
-     * manager, whose tabs are plans, phases and nets, interrupts and decisions, and the messages at the bottom right.
+     * The other arrangement: thesis, Figure 5.6. The robots with their status and newest pictures on the left, one large map on which decisions draw, below it the
+     * mission manager, whose tabs are plans with the nets of what runs, the Gantt chart, interrupts and decisions, and the messages at the bottom right. Where
+     * there is less room the mission manager lies below the robots, and the map has all of the height.
      */
     public static final Arrangements AIMS = new Arrangements(
             Arrangement.of("map")
-                    .left("boats", "map", 0.26)
-                    .below("pictures", "boats", 0.6)
-                    .behind("boat", "pictures")
-                    .behind("communication", "pictures")
-                    .below("missions", "map", 0.42)
-                    .right("messages", "missions", 0.36)
+                    .left("boats", "map", 0.25)
+                    .behind("boat", "boats")
+                    .behind("communication", "boats")
+                    .behind("pictures", "boats")
+                    .below("missions", "map", 0.43)
+                    .right("messages", "missions", 0.3)
+                    .behind("gantt", "missions")
                     .behind("interrupts", "missions")
                     .behind("decisions", "missions")
                     .behind("alarms", "messages")
@@ -106,18 +116,19 @@ public final class OperatorPanels implements AutoCloseable {
                     .behind("allocation", "messages")
                     .behind("log", "messages"),
             Arrangement.of("map")
-                    .left("boats", "map", 0.3)
+                    .left("boats", "map", 0.42) // with the missions below them, so that the map has all of the height
                     .behind("boat", "boats")
-                    .behind("pictures", "boats")
                     .behind("communication", "boats")
-                    .below("missions", "map", 0.5)
-                    .right("messages", "missions", 0.36)
+                    .behind("pictures", "boats")
+                    .behind("messages", "boats")
+                    .behind("alarms", "boats")
+                    .behind("health", "boats")
+                    .behind("allocation", "boats")
+                    .behind("log", "boats")
+                    .below("missions", "boats", 0.56)
+                    .behind("gantt", "missions")
                     .behind("interrupts", "missions")
-                    .behind("decisions", "missions")
-                    .behind("alarms", "messages")
-                    .behind("health", "messages")
-                    .behind("allocation", "messages")
-                    .behind("log", "messages"),
+                    .behind("decisions", "missions"),
             FIRST.tight(),
             FIRST.leastRoomy(),
             FIRST.leastCompact());
@@ -125,12 +136,14 @@ public final class OperatorPanels implements AutoCloseable {
     private final ShownPictures pictures;
     private final BoatListPanel boats;
     private final SelectedBoatPanel boat;
+    private final GanttPanel gantt;
     private final MapPanel map;
     private final MissionMonitor missions;
     private final DecisionsPanel decisions;
     private final DockPanel asking;
     private final CommunicationPanel communication;
     private final List<DockPanel> all;
+    private final ArrangementChoice arrangement;
     private final Map<DockPanel, BooleanSupplier> empty; // panels of which some have nothing in them at times
 
     /**
@@ -142,8 +155,9 @@ public final class OperatorPanels implements AutoCloseable {
         Look.useFieldTargets();
         MarksOfBoats.give(context.shown(), context.marks());
         pictures = new ShownPictures(context);
-        boats = new BoatListPanel(context);
+        boats = new BoatListPanel(context, pictures, settings);
         boat = new SelectedBoatPanel(context);
+        gantt = new GanttPanel(context);
         map = new MapPanel(context);
         map.rememberBaseMaps(settings);
         ComponentLibrary components =
@@ -158,6 +172,12 @@ public final class OperatorPanels implements AutoCloseable {
         asking = new DockPanel("decisions", "Decisions", "decision", decisions);
         all = panels(context);
         empty = emptiness(context.models());
+        arrangement = new ArrangementChoice(
+                settings,
+                FIRST,
+                AIMS,
+                all.stream().collect(Collectors.toMap(Function.identity(), DockPanel::title)),
+                boats::showPictures);
     }
 
     private List<DockPanel> panels(OperatorContext context) {
@@ -174,7 +194,8 @@ public final class OperatorPanels implements AutoCloseable {
                 new DockPanel("communication", "Communication", "link", communication),
                 new DockPanel("log", "Log", "log", new LogPanel(context)),
                 new DockPanel("health", "Health", "health", new HealthPanel(context, map::pointAt)),
-                new DockPanel("pictures", "Pictures", "picture", new PicturesPanel(context, pictures)).withUseOfRoom());
+                new DockPanel("pictures", "Pictures", "picture", new PicturesPanel(context, pictures)).withUseOfRoom(),
+                new DockPanel("gantt", "Gantt", "phases", gantt).withUseOfRoom());
     }
 
     /** When panels have nothing in them; those that are not named here always have something. */
@@ -190,6 +211,7 @@ public final class OperatorPanels implements AutoCloseable {
         when.put(panel("interrupts"), () -> models.interrupts().snapshot().isEmpty());
         when.put(panel("allocation"), () -> isWithoutTasks(models.allocation().snapshot()));
         when.put(panel("pictures"), () -> models.pictures().snapshot().isEmpty());
+        when.put(panel("gantt"), () -> models.gantt().snapshot().isEmpty());
         when.put(panel("log"), () -> !panel("log").isShowing()); // nobody waits for what was done
         return Map.copyOf(when);
     }
@@ -215,6 +237,16 @@ public final class OperatorPanels implements AutoCloseable {
         return all;
     }
 
+    /** How they lie in the arrangement that the operator chose last. */
+    public Arrangements offered() {
+        return arrangement.offered();
+    }
+
+    /** Adds the commands of the two arrangements, once the panels have theirs; the one with the robots on the left shows each with its newest picture. */
+    public void addArrangements(DockArea dock, CommandRegistry commands) {
+        arrangement.addTo(dock, commands);
+    }
+
     /** Shows what changes by itself; to be called a few times a second. */
     public void refresh() {
         boats.refresh();
@@ -224,6 +256,7 @@ public final class OperatorPanels implements AutoCloseable {
         asking.setWaiting(decisionUnseen().isPresent());
         empty.forEach((panel, isEmpty) -> panel.setEmpty(isEmpty.getAsBoolean()));
         communication.refresh();
+        gantt.refresh();
         missions.refresh();
     }
 

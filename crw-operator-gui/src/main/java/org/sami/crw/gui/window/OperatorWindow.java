@@ -83,12 +83,12 @@ public final class OperatorWindow {
         LoadedProject file = new LoadedProject(project);
         panels = new OperatorPanels(context, settings, file);
         sounds = AlarmSounds.of(context, settings);
-        dock = new DockArea(frame, panels.all(), OperatorPanels.FIRST, data.arrangement());
+        dock = new DockArea(frame, panels.all(), panels.offered(), data.arrangement());
         commands = new WindowCommands(context, frame, settings, loaded -> {
             file.set(loaded);
             panels.reloadPlans();
         });
-        commands.addPanels(dock);
+        commands.addPanels(dock, panels);
         commands.addReplay(data.folder());
         commands.addEnd(this::askToEnd);
         StatusStrip strip = new StatusStrip(

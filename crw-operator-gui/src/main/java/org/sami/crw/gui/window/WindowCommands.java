@@ -62,12 +62,9 @@ final class WindowCommands {
         context.commands().add(command);
     }
 
-    void addPanels(DockArea dock) {
+    void addPanels(DockArea dock, OperatorPanels panels) {
         view.addPanels(dock);
-        add(new Command(
-                "arrangement-first", "Missions right, decisions in sight", () -> dock.arrange(OperatorPanels.FIRST)));
-        add(new Command(
-                "arrangement-aims", "Robots left, one large map (AIMS)", () -> dock.arrange(OperatorPanels.AIMS)));
+        panels.addArrangements(dock, context.commands());
     }
 
     /** The command that opens a journal in a window of its own. */

@@ -12,28 +12,35 @@ import static org.sami.crw.gui.SessionWorld.until;
 import java.awt.Rectangle;
 import java.net.InetAddress;
 import java.net.ServerSocket;
+import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
 import javax.swing.JTable;
 import javax.swing.JViewport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.gui.TextScale;
+import org.sami.crw.gui.picture.ShownPictures;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.ui.check.Layout;
 import org.sami.ui.look.Look;
+import org.sami.ui.window.WindowSettings;
 
 @Isolated("the look is one for all windows of a process")
 @Timeout(900)
 class BoatListPanelTest {
+    @TempDir
+    private Path folder;
+
     @Test
     void aBoatThatIsGoneIsSelectedNoLonger() throws Exception {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna", "bert")) {
-            laidOut(() -> new BoatListPanel(world.context));
+            laidOut(() -> panel(world));
             onEventThread(() -> {
                 world.context.boats().select(List.of("anna", "bert"));
                 return null;
@@ -54,7 +61,7 @@ class BoatListPanelTest {
                 ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             BoatAddress nobody = new BoatAddress("127.0.0.1", taken.getLocalPort());
             taken.close();
-            BoatListPanel panel = laidOut(() -> new BoatListPanel(world.context));
+            BoatListPanel panel = laidOut(() -> panel(world));
             world.session.fleet().connect(nobody);
 
             shows(panel, nobody + "|△ " + nobody + " · no answer · connection refused · tried ");
@@ -83,7 +90,7 @@ class BoatListPanelTest {
     void boatsAreSeenWithWhatTheyDoAndTheirCharge(int percent, int width, int height, int rows) throws Exception {
         try (TextScale scale = TextScale.percent(percent);
                 SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna", "bert", "carl", "dora")) {
-            BoatListPanel panel = onEventThread(() -> new BoatListPanel(world.context));
+            BoatListPanel panel = onEventThread(() -> panel(world));
             JTable table = find(panel, "boats-table", JTable.class);
             until("boats are listed", () -> {
                 onEventThread(() -> {
@@ -109,5 +116,10 @@ class BoatListPanelTest {
                 .findFirst()
                 .orElseThrow()
                 .getWidth();
+    }
+
+    private BoatListPanel panel(SessionWorld world) {
+        return new BoatListPanel(
+                world.context, new ShownPictures(world.context), new WindowSettings(folder.resolve("settings")));
     }
 }

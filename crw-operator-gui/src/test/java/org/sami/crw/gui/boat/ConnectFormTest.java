@@ -64,6 +64,39 @@ class ConnectFormTest {
         }
     }
 
+    @Test
+    void severalAddressesAreConnectedAsByTheOptionAndEachHasItsLine() throws Exception {
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"))) {
+            BoatAddress anna = new SimulatedBoatsOnTcp(1).launch("anna", SessionWorld.PIER);
+            BoatAddress nobody = deaf();
+            ConnectForm form = SessionWorld.laidOut(() -> new ConnectForm(world.context));
+
+            SessionWorld.type(form, "boat-connect-address", anna + ", " + nobody);
+            SessionWorld.press(form, "boat-connect-do");
+
+            until(form, "✓ " + anna + " is connected as anna\n▲ " + nobody + " does not answer");
+            SessionWorld.press(form, "boat-connect-give-up");
+            until(form, "✓ " + anna + " is connected as anna");
+            SessionWorld.until(
+                    "nobody tries it any longer",
+                    () -> world.context.models().unreached().snapshot().isEmpty());
+        }
+    }
+
+    @Test
+    void vehiclesOfALinkMayBeNamedByTheirNumbers() throws Exception {
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"))) {
+            ConnectForm form = SessionWorld.laidOut(() -> new ConnectForm(world.context));
+
+            SessionWorld.type(form, "boat-connect-address", "mavlink:udp:14550/21-25");
+            assertThat(SessionWorld.text(form, "boat-connect-said")).isEmpty();
+
+            SessionWorld.type(form, "boat-connect-address", "mavlink:udp:14550/25-21");
+            assertThat(SessionWorld.text(form, "boat-connect-said"))
+                    .startsWith("'mavlink:udp:14550/25-21' is no MAVLink address: the first system id, 25, is above");
+        }
+    }
+
     private static BoatAddress deaf() throws IOException {
         try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             return new BoatAddress("127.0.0.1", taken.getLocalPort()); // closed again: nobody listens there

@@ -11,10 +11,12 @@ import java.awt.Component;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.BoatSnapshot.Commander;
@@ -128,6 +130,33 @@ class SelectedBoatPanelTest {
                     panel,
                     "it is stopped",
                     () -> rows(panel, "boat-launch-table").contains("▲ Motor|its motors are stopped"));
+        }
+    }
+
+    @Test
+    void theChecklistSetsWhatTheSessionWishesOfABoatWithoutALink() throws Exception {
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
+            SelectedBoatPanel panel = panel(world, "anna");
+            SessionWorld.get(world.session.fleet().wishLostLink(Optional.of(LostLinkAction.RETURN)));
+            until(
+                    panel,
+                    "the difference is said",
+                    () -> rows(panel, "boat-launch-table")
+                            .contains("△ Without a link|holds its place: set it, this session wishes that it returns to"
+                                    + " its"));
+
+            world.run("boat-set-wished-lost-link");
+
+            until(
+                    panel,
+                    "it has confirmed",
+                    () -> rows(panel, "boat-launch-table").contains("✓ Without a link|returns to its home"));
+            assertThat(world.context
+                            .commands()
+                            .find("boat-set-wished-lost-link")
+                            .orElseThrow()
+                            .isEnabled())
+                    .isFalse();
         }
     }
 

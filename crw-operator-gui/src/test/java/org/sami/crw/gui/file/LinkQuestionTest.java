@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.LinkedBoat;
-import org.sami.crw.session.RefusedException;
+import org.sami.session.api.LinkedBoat;
+import org.sami.session.api.RefusedException;
 
 /** How often a session is asked which boats it has links to. */
 class LinkQuestionTest {

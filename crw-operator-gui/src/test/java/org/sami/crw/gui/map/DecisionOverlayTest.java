@@ -124,6 +124,7 @@ class DecisionOverlayTest {
                 new ProxyMarks(),
                 new SessionWays(world.context),
                 new MapPen(map, () -> false, boat -> Optional.empty(), UnaryOperator.identity()),
+                map::fitAll,
                 UnaryOperator.identity());
     }
 

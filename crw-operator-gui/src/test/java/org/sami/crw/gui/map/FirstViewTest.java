@@ -19,13 +19,17 @@ import org.sami.ui.check.Layout;
 import org.sami.ui.map.MapView;
 
 class FirstViewTest {
+    private static final GeoPoint AWAY = GeoPoint.of(25.38, 51.55);
+
+    private boolean free = true;
+
     private static final GeoPoint QUAY = GeoPoint.of(25.36, 51.53);
 
     @Test
     void boatsAndAreasAreSeenLargeAlsoWhereTheMapGotItsSizeLater() {
         onEventThread(() -> {
             MapView view = new MapView();
-            FirstView first = new FirstView(view);
+            FirstView first = new FirstView(view, () -> free);
             Layout.layOut(view, 90, 70); // as before panels are arranged
             first.look(with(boat("anna", QUAY)));
             Layout.layOut(view, 800, 500);
@@ -42,7 +46,7 @@ class FirstViewTest {
     void theProjectsWaterIsSeenBeforeTheFirstBoatIs() {
         onEventThread(() -> {
             MapView view = new MapView();
-            FirstView first = new FirstView(view);
+            FirstView first = new FirstView(view, () -> free);
             Layout.layOut(view, 800, 500);
 
             first.look(with());
@@ -59,7 +63,7 @@ class FirstViewTest {
     void aMapThatSomebodyMovedStaysWhereItIs() {
         onEventThread(() -> {
             MapView view = new MapView();
-            FirstView first = new FirstView(view);
+            FirstView first = new FirstView(view, () -> free);
             Layout.layOut(view, 800, 500);
             first.look(with(boat("anna", QUAY)));
             view.centre(GeoPoint.of(25.37, 51.54));
@@ -72,17 +76,44 @@ class FirstViewTest {
     }
 
     @Test
-    void boatsThatMoveLeaveTheMapWhereItIs() {
+    void boatsThatMoveLeaveTheMapWhereItIsAsLongAsTheyStayInSight() {
         onEventThread(() -> {
             MapView view = new MapView();
-            FirstView first = new FirstView(view);
+            FirstView first = new FirstView(view, () -> free);
             Layout.layOut(view, 800, 500);
             first.look(with(boat("anna", QUAY)));
             double before = view.frame().px(QUAY);
 
-            first.look(with(boat("anna", GeoPoint.of(25.38, 51.55))));
-
+            first.look(with(boat("anna", GeoPoint.of(25.359, 51.529))));
             assertThat(view.frame().px(QUAY)).isEqualTo(before);
+
+            free = false;
+            first.look(with(boat("anna", AWAY)));
+            assertThat(view.frame().px(QUAY)).as("while somebody draws").isEqualTo(before);
+
+            free = true;
+            first.look(with(boat("anna", AWAY)));
+            assertThat(view.frame().isShown(AWAY)).isTrue();
+            assertThat(view.frame().isShown(GeoPoint.of(25.358, 51.527)))
+                    .as("the fence")
+                    .isTrue();
+            return null;
+        });
+    }
+
+    @Test
+    void aMapThatBecameLargerStillFollowsBoatsThatLeaveIt() {
+        onEventThread(() -> {
+            MapView view = new MapView();
+            FirstView first = new FirstView(view, () -> free);
+            Layout.layOut(view, 800, 500);
+            first.look(with(boat("anna", QUAY)));
+            Layout.layOut(view, 900, 600);
+            first.look(with(boat("anna", QUAY)));
+
+            first.look(with(boat("anna", AWAY)));
+
+            assertThat(view.frame().isShown(AWAY)).isTrue();
             return null;
         });
     }

@@ -20,6 +20,8 @@ import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.service.water.CrossTrackError;
+import org.sami.session.record.CommandJson;
+import org.sami.session.record.SessionTelemetry;
 
 /**
  * Records in the journal, besides positions, what the operator saw of the boats: commands and their ends, the link, the commander, the battery's

@@ -9,6 +9,9 @@ import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.operator.MapModel;
 import org.sami.crw.operator.map.ShownTrack;
 import org.sami.crw.proxy.status.BoatReading;
+import org.sami.session.record.FleetHistory;
+import org.sami.session.record.SensorValue;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.journal.TelemetryRow;
 import org.sami.spn.value.GeoPoint;
 

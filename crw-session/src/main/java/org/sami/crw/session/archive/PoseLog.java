@@ -3,6 +3,8 @@ package org.sami.crw.session.archive;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.sami.session.record.FleetHistory;
+import org.sami.session.record.SessionTelemetry;
 
 /**
  * Records boats' positions for tracks and for a later process: one pose each time a boat has moved by the spacing, and one a minute while it reports

@@ -255,7 +255,12 @@ public final class SessionJournal implements Closeable {
         return header.isPresent();
     }
 
-    void addTelemetry(TelemetryRow row) throws IOException {
+    /**
+     * Adds a row of telemetry, where this keeps any.
+     *
+     * @throws IOException if it cannot be written
+     */
+    public void addTelemetry(TelemetryRow row) throws IOException {
         if (stored.isPresent()) {
             stored.get().addTelemetry(List.of(row));
         }

@@ -19,7 +19,7 @@ import org.sami.crw.proxy.file.BoatFileSource;
 import org.sami.crw.proxy.file.FileNews;
 import org.sami.crw.proxy.file.FleetFileFetch;
 import org.sami.crw.proxy.tcp.BoatAddress;
-import org.sami.crw.session.LinkedBoat;
+import org.sami.session.api.LinkedBoat;
 
 /**
  * The fetching of boats' logs as a window shows it: the boats that are linked, how far each of the chosen ones is, what came and what did not. A boat that does not answer

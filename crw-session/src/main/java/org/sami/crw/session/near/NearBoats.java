@@ -18,8 +18,8 @@ import org.sami.crw.proxy.near.NearBoat;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.proxy.tcp.LinkReport;
-import org.sami.crw.session.RefusedException;
 import org.sami.crw.session.Session;
+import org.sami.session.api.RefusedException;
 
 /**
  * The boats near a session, live: looks for announcements and at the session's links until it is closed, on a thread of its own, which also reads this base's

@@ -27,6 +27,7 @@ import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.file.BoatFileFetch.NamedFiles;
 import org.sami.crw.proxy.file.FileFetchException;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.session.record.SessionPictures;
 
 /**
  * Fetches the pictures of each panorama as soon as the boat reports it, one panorama of a boat after the other, on separate threads. After a lost link the rest

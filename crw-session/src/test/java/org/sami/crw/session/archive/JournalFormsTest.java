@@ -21,6 +21,11 @@ import org.sami.crw.proxy.command.KeepStation;
 import org.sami.crw.proxy.command.Panorama;
 import org.sami.crw.proxy.command.Stop;
 import org.sami.crw.proxy.command.UploadCount;
+import org.sami.session.record.CommandJson;
+import org.sami.session.record.FleetHistory;
+import org.sami.session.record.SensorValue;
+import org.sami.session.record.SessionNote;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.journal.JournalHeader;
 import org.sami.spn.journal.JournalReader;
 import org.sami.spn.journal.TelemetryRow;
@@ -79,7 +84,7 @@ class JournalFormsTest {
     void rowsHaveTheirBytesAndComeBack() throws Exception {
         Path file = folder.resolve("journal");
         SessionJournal journal = SessionJournal.create(file, JournalHeader.of("{}", Map.of(), Map.of()));
-        SessionTelemetry telemetry = new SessionTelemetry(journal, () -> 7_000);
+        SessionTelemetry telemetry = new SessionTelemetry(journal::addTelemetry, () -> 7_000);
         FleetHistory.Report report = new FleetHistory.Report(PLACE, 0.25, 1.5, 88.5, 123);
         SessionNote note = new SessionNote(7_100, SessionNote.LINK, 3, "the link \"went\"");
         OperatorMessage message = new OperatorMessage(
@@ -113,7 +118,8 @@ class JournalFormsTest {
                         "uploads {\"sent\":4,\"acknowledged\":3,\"readBackEqual\":2,\"failed\":1}",
                         "why {\"text\":\"aground\"}",
                         "message {\"kind\":\"link\",\"mission\":3,\"text\":\"the link \\\"went\\\"\"}",
-                        "message {\"kind\":\"domain message\",\"mission\":3,\"text\":\"come home\",\"source\":\"DOMAIN\",\"priority\":\"HIGH\","
+                        "message {\"kind\":\"domain message\",\"mission\":3,\"text\":\"come"
+                                + " home\",\"source\":\"DOMAIN\",\"priority\":\"HIGH\","
                                 + "\"keyword\":\"home\",\"boats\":[\"anna\"]}");
         Heard heard = new Heard();
         assertThat(SessionTelemetry.read(rows, heard)).isEmpty();

@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.session.record.SessionNote;
+import org.sami.session.record.SessionTelemetry;
 import org.sami.spn.journal.JournalHeader;
 
 /** What a session writes next to the engine's inputs. */
@@ -17,7 +19,7 @@ class SessionTelemetryTest {
     void journalThatCannotBeWrittenIsAProblemThatIsTold() throws Exception {
         SessionJournal journal =
                 SessionJournal.create(folder.resolve("journal"), JournalHeader.of("{}", Map.of(), Map.of()));
-        SessionTelemetry telemetry = new SessionTelemetry(journal, () -> 7_000);
+        SessionTelemetry telemetry = new SessionTelemetry(journal::addTelemetry, () -> 7_000);
         telemetry.lost("anna");
         assertThat(telemetry.problem()).isEmpty();
 

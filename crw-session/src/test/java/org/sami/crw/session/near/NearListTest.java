@@ -117,6 +117,7 @@ class NearListTest {
                 event,
                 false,
                 failed,
-                failed);
+                failed,
+                List.of());
     }
 }
