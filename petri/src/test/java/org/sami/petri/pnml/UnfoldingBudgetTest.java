@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** A symmetric net that would unfold to too much is refused with the line, before it is built. */
-@Timeout(value = 20, unit = TimeUnit.SECONDS)
+@Timeout(value = 120, unit = TimeUnit.SECONDS)
 class UnfoldingBudgetTest {
     private static final int VARIABLES = 6;
     private static final List<String> NAMES = List.of("a", "b", "c", "d", "e", "f");

@@ -138,6 +138,7 @@ class DatabaseGoneTest {
         BaseAndStandby.await(console, "FAULT: Missions stand still; the journal cannot be written: ");
         assertThat(console.out()).contains("the database ");
         for (String boat : BOATS) {
+            Await.until(boat + " is told to hold", () -> listsOf(boat).size() > 1);
             assertThat(listsOf(boat))
                     .as("waypoints of the lists of %s: the way, and the place to hold", boat)
                     .hasSize(2)

@@ -61,8 +61,10 @@ class AllocationPanelTest {
                     to + " has it",
                     () -> now(world).queues().getOrDefault(to, List.of()).contains(task));
             until("it is shown", () -> !rows(panel, "allocation-table").equals(before));
-            assertThat(world.context.models().log().snapshot())
-                    .anySatisfy(entry -> assertThat(entry.text()).contains("moved task"));
+            until(
+                    "it is logged",
+                    () -> world.context.models().log().snapshot().stream()
+                            .anyMatch(entry -> entry.text().contains("moved task")));
         }
     }
 
