@@ -126,6 +126,8 @@ public final class ServeCommand implements Callable<Integer> {
         if (script != null && !Files.isReadable(script)) {
             throw new UsageFault("--script: " + script + " cannot be read");
         }
+        named(); // what is wrong with options is said before anything begins
+        checkPeople();
         Optional<PairedBase> paired = pair.open(line -> print(spec.commandLine().getOut(), "pair: " + line));
         paired.ifPresent(base -> {
             options.keepIn(base.journal());
@@ -139,7 +141,6 @@ public final class ServeCommand implements Callable<Integer> {
             throw new UsageFault(
                     "--script is carried out by the base that begins the session, not by one that stands by");
         }
-        named(); // what is wrong with it is said before anything begins
         try (StopOnInterrupt stop = new StopOnInterrupt()) {
             if (waits) {
                 return takeOver(paired, stop);
@@ -271,13 +272,23 @@ public final class ServeCommand implements Callable<Integer> {
         }
     }
 
-    private ServerAddress address() throws IOException {
-        InetAddress at;
+    private void checkPeople() {
+        if (!host().isLoopbackAddress() && !people.people().needKeys()) {
+            throw new UsageFault("--host " + host + ": without people a session is served on this machine only;"
+                    + " 'crw people add NAME' lists one");
+        }
+    }
+
+    private InetAddress host() {
         try {
-            at = InetAddress.getByName(host);
+            return InetAddress.getByName(host);
         } catch (UnknownHostException unknown) {
             throw new UsageFault("--host: there is no address '" + host + "'");
         }
+    }
+
+    private ServerAddress address() throws IOException {
+        InetAddress at = host();
         Optional<Identity> identity = at.isLoopbackAddress()
                 ? Optional.empty()
                 : Optional.of(new BaseKeys(BaseProtection.ofThisProcess().keysFolder())

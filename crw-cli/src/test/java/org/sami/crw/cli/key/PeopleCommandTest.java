@@ -95,4 +95,17 @@ class PeopleCommandTest {
         assertThat(served.err()).contains("--bases: wss://10.0.0.5:8443 needs the SHA-256 of that base's certificate");
         assertThat(journal).doesNotExist();
     }
+
+    @Test
+    void baseForOtherMachinesWithoutPeopleIsRefusedBeforeASessionIsBegun() {
+        Path journal = folder.resolve("session.journal");
+        CommandResult served =
+                CommandResult.crw("serve", "--port", "0", "--host", "0.0.0.0", "--journal", journal.toString());
+
+        assertThat(served.exitCode()).isEqualTo(2);
+        assertThat(served.err())
+                .contains("--host 0.0.0.0: without people a session is served on this machine only")
+                .contains("'crw people add NAME'");
+        assertThat(journal).doesNotExist();
+    }
 }
