@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.cli.CrwProcess;
+import org.sami.session.client.testing.TwoNetworks;
 
 /** A console of a session elsewhere over a network that loses one packet in five each way: real processes, in networks of their own. */
 @Tag("process")

@@ -10,8 +10,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.crw.cli.CrwProcess;
-import org.sami.crw.cli.network.TwoNetworks;
+import org.sami.session.client.testing.TwoNetworks;
 
 /** Two bases as their operators run them: {@code crw pair} and {@code crw serve --pair}, with real databases of an installed PostgreSQL. */
 @Tag("process")
@@ -20,6 +22,19 @@ class PairProcessTest {
     private static final String SERVES = "the session is at ";
     private static final String READY = "this base goes on with it by itself";
     private static final String PROTECTED = "pair: protected";
+
+    /** A mission of a simulated boat, which takes several times as long as a lease. */
+    private static final List<String> MISSION = List.of(
+            "add boat 45.4,10.9 1",
+            "wait boats 1 within 60",
+            "start clv",
+            "wait decision within 60",
+            "answer all",
+            "wait decision within 60",
+            "answer 45.4001,10.9001",
+            "wait decision within 60",
+            "answer 1",
+            "wait ended within 300");
 
     @TempDir
     private Path folder;
@@ -53,6 +68,52 @@ class PairProcessTest {
                     await(again, SERVES);
                     assertThat(second.await(120)).isEqualTo(4);
                 }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"+1d", "-1d"})
+    void theSecondBaseStandsByAndGoesOnAlsoWithAClockThatIsADayOff(String offset) throws Exception {
+        try (PairedProcesses pair = PairedProcesses.onLoopback(folder, OtherClock.off(offset))) {
+            try (CrwProcess first = pair.serve(0, MISSION);
+                    CrwProcess second = pair.serve(1)) {
+                await(second, READY);
+                await(first, "mission 1 of clv: ended at ");
+                assertThat(first.out()).contains(PROTECTED);
+                assertThat(second.out()).as("what it did meanwhile").doesNotContain(SERVES);
+
+                first.kill();
+                pair.cutPower(0);
+
+                await(second, SERVES);
+                assertThat(pair.run(0, "pair", "rejoin")).contains("the database that it had is kept in ");
+                try (CrwProcess again = pair.serve(0)) {
+                    await(again, READY);
+                    await(second, PROTECTED);
+                }
+            }
+        }
+    }
+
+    @Test
+    void aReplicaThatIsPromotedByMistakeHasTheSessionAloneAndTheFirstStopsBefore() throws Exception {
+        try (PairedProcesses pair = PairedProcesses.onLoopback(folder);
+                CrwProcess first = pair.serve(0);
+                CrwProcess second = pair.serve(1)) {
+            await(first, PROTECTED);
+            await(second, READY);
+
+            pair.promote(1);
+
+            await(second, SERVES);
+            assertThat(first.out()).as("the first stopped before").contains("this base stops commanding");
+            await(first, pair.address(1) + " took the session over");
+            assertThat(first.await(120)).isEqualTo(4);
+            assertThat(pair.run(0, "pair", "rejoin")).contains("the database that it had is kept in ");
+            try (CrwProcess again = pair.serve(0)) {
+                await(again, READY);
+                await(second, PROTECTED);
             }
         }
     }

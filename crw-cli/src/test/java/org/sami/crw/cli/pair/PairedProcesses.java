@@ -15,10 +15,10 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.cli.CrwProcess;
-import org.sami.crw.cli.network.TwoNetworks;
 import org.sami.pair.postgres.PairDatabase;
 import org.sami.pair.postgres.PairFolder;
 import org.sami.pair.postgres.Programs;
+import org.sami.session.client.testing.TwoNetworks;
 
 /** Two bases that {@code crw pair} made, each with its own folder and database, and what runs on them. Databases are stopped at the end. */
 final class PairedProcesses implements AutoCloseable {
@@ -35,9 +35,9 @@ final class PairedProcesses implements AutoCloseable {
      * One base.
      *
      * @param address as the other reaches it
-     * @param network the command that runs others in its network
+     * @param by the command that runs others there: in its network, by its clock
      */
-    record Base(String address, Path folder, List<String> network) {
+    record Base(String address, Path folder, List<String> by) {
         PairFolder pair() {
             return new PairFolder(folder);
         }
@@ -50,10 +50,20 @@ final class PairedProcesses implements AutoCloseable {
 
     /** At two addresses of this machine's loopback that no other test has. */
     static PairedProcesses onLoopback(Path folder) throws IOException, InterruptedException {
+        return onLoopback(folder, List.of());
+    }
+
+    /** The same, the second with another clock: what runs there, its database as well, sees that clock's date and time. */
+    static PairedProcesses onLoopback(Path folder, OtherClock ofSecond) throws IOException, InterruptedException {
+        return onLoopback(folder, ofSecond.command());
+    }
+
+    private static PairedProcesses onLoopback(Path folder, List<String> inSecond)
+            throws IOException, InterruptedException {
         long process = ProcessHandle.current().pid();
         String network = "127." + (100 + process % 100) + "." + process / 100 % 250 + ".";
         int first = 2 * MADE.incrementAndGet();
-        return made(folder, network + first, network + (first + 1), List.of(), List.of());
+        return made(folder, network + first, network + (first + 1), List.of(), inSecond);
     }
 
     /** In two networks that are joined by a cable. */
@@ -128,7 +138,7 @@ final class PairedProcesses implements AutoCloseable {
     CrwProcess start(int base, String... arguments) throws IOException {
         List<String> line = new ArrayList<>(List.of(arguments));
         line.addAll(List.of("--pair-folder", bases.get(base).folder().toString()));
-        return CrwProcess.startBy(bases.get(base).network(), folder, line);
+        return CrwProcess.startBy(bases.get(base).by(), folder, line);
     }
 
     /** Serves the pair's session on a base, or stands by there. */
@@ -136,16 +146,34 @@ final class PairedProcesses implements AutoCloseable {
         return start(base, "serve", "--pair", "--port", "0");
     }
 
+    /** The same, with lines that the base carries out once it has the session. */
+    CrwProcess serve(int base, List<String> script) throws IOException {
+        Path file = Files.write(folder.resolve("script"), script);
+        return start(base, "serve", "--pair", "--port", "0", "--script", file.toString());
+    }
+
+    /** Makes a base's replica a database that takes writes, as {@code pg_ctl promote} does. */
+    void promote(int base) throws IOException, InterruptedException {
+        Files.createFile(bases.get(base).folder().resolve("data").resolve("promote"));
+        new ProcessBuilder("kill", "-USR1", Long.toString(database(base).pid()))
+                .start()
+                .waitFor();
+    }
+
     /** Ends a base's database as the loss of its power does, and waits until its processes are gone. */
     void cutPower(int base) throws IOException {
-        String pid = Files.readAllLines(bases.get(base).folder().resolve("data").resolve("postmaster.pid"))
-                .get(0)
-                .strip();
-        ProcessHandle server = ProcessHandle.of(Long.parseLong(pid)).orElseThrow();
+        ProcessHandle server = database(base);
         List<ProcessHandle> all = new ArrayList<>(server.descendants().toList());
         all.add(server);
         all.forEach(ProcessHandle::destroyForcibly);
         all.forEach(process -> process.onExit().join());
+    }
+
+    private ProcessHandle database(int base) throws IOException {
+        String pid = Files.readAllLines(bases.get(base).folder().resolve("data").resolve("postmaster.pid"))
+                .get(0)
+                .strip();
+        return ProcessHandle.of(Long.parseLong(pid)).orElseThrow();
     }
 
     /** Waits until a process says something. */

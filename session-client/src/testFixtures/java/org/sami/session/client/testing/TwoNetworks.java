@@ -1,6 +1,5 @@
-package org.sami.crw.cli.network;
+package org.sami.session.client.testing;
 
-import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
@@ -104,7 +103,9 @@ public final class TwoNetworks implements AutoCloseable {
     }
 
     private static void must(String... arguments) {
-        assertThat(ip(arguments)).as("ip %s", String.join(" ", arguments)).isTrue();
+        if (!ip(arguments)) {
+            throw new IllegalStateException("failed: ip " + String.join(" ", arguments));
+        }
     }
 
     private static boolean ip(String... arguments) {
