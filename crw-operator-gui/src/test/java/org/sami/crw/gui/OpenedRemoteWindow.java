@@ -25,25 +25,35 @@ final class OpenedRemoteWindow {
     private static final int WITHIN_S = 300;
 
     private final CompletableFuture<Integer> ended = new CompletableFuture<>();
+    private final RemoteSession session;
     private final RemoteWindow window;
 
     /**
-     * Opens one.
+     * Opens one of a server on this machine.
      *
      * @param folder of the window's data and of known servers
      */
     OpenedRemoteWindow(SessionServer server, Path folder) throws Exception {
+        this("ws://127.0.0.1:" + server.listensAt().getPort(), "", folder);
+    }
+
+    /**
+     * Opens one of a session at an address.
+     *
+     * @param print the SHA-256 of the server's certificate; empty where it has none
+     * @param folder of the window's data and of known servers
+     */
+    OpenedRemoteWindow(String address, String print, Path folder) throws Exception {
         DataDirectory data = DataDirectory.openForSessionElsewhere(folder);
         WindowSettings settings = new WindowSettings(data.settings());
         ConnectionBand band = EventThread.get(() -> {
             Look.apply(Theme.LIGHT, 100);
             return new ConnectionBand();
         });
-        RemoteSession session = RemoteSession.open(
-                List.of(SessionAddress.parse(
-                        "ws://127.0.0.1:" + server.listensAt().getPort())),
+        session = RemoteSession.open(
+                List.of(SessionAddress.parse(address)),
                 new Login("anna", "key of anna"),
-                new ServerTrust(new KnownServers(folder.resolve("servers")), (authority, print) -> false),
+                new ServerTrust(new KnownServers(folder.resolve("servers")), (authority, shown) -> shown.equals(print)),
                 EventThread.executor(),
                 band,
                 LocalTime::now);
@@ -52,6 +62,11 @@ final class OpenedRemoteWindow {
             made.open();
             return made;
         });
+    }
+
+    /** What the window has of the session; its models are read on the event thread. */
+    RemoteSession session() {
+        return session;
     }
 
     /** The window. */

@@ -40,7 +40,8 @@ import org.sami.ui.value.WrappedText;
 /** The operator's window over a session behind a real server: a question answered by pressing, the fleet stopped, the server gone. */
 @Tag("window")
 class RemoteWindowTest {
-    private static final String PROJECT = """
+    /** A plan that asks once, with a message after the answer. */
+    static final String PROJECT = """
         {"formatVersion": 1, "id": "talk", "name": "Talk", "domain": "crw",
          "missionTree": [{"label": "All", "children": [{"plan": "talk"}]}],
          "plans": [{"id": "talk", "name": "Talk", "places": [
