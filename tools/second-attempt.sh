@@ -4,7 +4,7 @@
 # Usage: tools/second-attempt.sh [FOLDER]   (the project's root unless given), after `./gradlew check`
 # Exit code 0 if all of them passed now; build/test-summary.txt then counts them as passed and names them. Otherwise it stays as it was.
 set -u
-real_time=':boat-server-android:server:test :crw-cli:processTest :crw-mavlink:longTest :crw-mavlink:test :crw-operator-gui:longTest
+real_time=':boat-server-android:server:test :crw-cli:longTest :crw-cli:processTest :crw-mavlink:longTest :crw-mavlink:test :crw-operator-gui:longTest
     :crw-operator-gui:test :crw-operator-gui:windowTest :crw-session:test :crw-sim:longTest :crw-sim:test :dreamm-ide:windowTest
     :journal-postgres:longTest :journal-postgres:test :mavlink:test :pair-postgres:longTest :session-client:test :session-server:test :work-postgres:test'
 most=5

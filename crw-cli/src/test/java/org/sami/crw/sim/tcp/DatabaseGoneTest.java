@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.server.log.LoggedCommand;
@@ -29,6 +30,7 @@ import org.sami.work.postgres.testing.TestDatabase;
 
 /** A base, boats, two fronts and the database of the journal, all of them processes: the database fails in the middle of a mission. */
 @Tag("process")
+@Isolated("its seconds are counted on real clocks")
 @Timeout(600)
 class DatabaseGoneTest {
     private static final List<String> BOATS = List.of("anna", "bert");
