@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /** Two networks of this machine, of which nothing leads out, joined by a virtual cable that can be cut in each direction. Needs root and {@code ip}. */
 public final class TwoNetworks implements AutoCloseable {
@@ -19,8 +20,11 @@ public final class TwoNetworks implements AutoCloseable {
 
     private static final String NOBODYS = "02:00:00:00:00:99";
 
-    private final String first = "sami-a-" + ProcessHandle.current().pid();
-    private final String second = "sami-b-" + ProcessHandle.current().pid();
+    private static final AtomicInteger MADE = new AtomicInteger();
+
+    private final String name = ProcessHandle.current().pid() + "-" + MADE.incrementAndGet(); // tests run side by side
+    private final String first = "sami-a-" + name;
+    private final String second = "sami-b-" + name;
 
     public TwoNetworks() {
         assumeTrue(
