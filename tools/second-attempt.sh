@@ -1,13 +1,11 @@
 #!/bin/bash
 # Runs failed tests of real time a second time, by themselves, after everything else: a machine that stands still for a minute fails a few of them.
-# Only tests of these tasks, and at most five of them; what fails in another task, or fails twice, has failed (CONTRIBUTING.md).
+# Only tests of the tasks in real-time-tests.txt, and at most ten of them; what fails in another task, or fails twice, has failed (CONTRIBUTING.md).
 # Usage: tools/second-attempt.sh [FOLDER]   (the project's root unless given), after `./gradlew check`
 # Exit code 0 if all of them passed now; build/test-summary.txt then counts them as passed and names them. Otherwise it stays as it was.
 set -u
-real_time=':boat-server-android:server:test :crw-cli:longTest :crw-cli:processTest :crw-mavlink:longTest :crw-mavlink:test :crw-operator-gui:longTest
-    :crw-operator-gui:test :crw-operator-gui:windowTest :crw-session:test :crw-sim:longTest :crw-sim:test :dreamm-ide:windowTest
-    :journal-postgres:longTest :journal-postgres:test :mavlink:test :pair-postgres:longTest :session-client:test :session-server:test :work-postgres:test'
-most=5
+most=10
+real_time=$(grep -v '^#' "$(dirname "${BASH_SOURCE[0]}")/real-time-tests.txt" | tr '\n' ' ')
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}" || exit 2
 summary=build/test-summary.txt
 [ -s "$summary" ] || exit 1
@@ -28,7 +26,7 @@ for class in $(cut -d ' ' -f 2 <<<"$failed" | sort -u); do
     module=${module#.}
     task=$(basename "$(dirname "${found[0]}")")
     task=${module//\//:}:$task
-    [[ " $(tr -s ' \n' ' ' <<<"$real_time") " == *" $task "* ]] || exit 1
+    [[ " $real_time" == *" $task "* ]] || exit 1
     tests+=("$task" --tests "$class")
 done
 

@@ -12,7 +12,7 @@ final class BoatFence {
 
     private static final long NOT_BACK = Long.MIN_VALUE;
 
-    private Fence fence = Fence.NONE;
+    private StationFence fence = StationFence.NONE;
     private boolean isHeld;
     private boolean isNew;
     private boolean isInForce;
@@ -23,13 +23,13 @@ final class BoatFence {
 
     /** Takes a fence of which nothing is wrong in place of the one before; without items there is none. */
     void replace(List<MissionItem> items) {
-        fence = FenceItems.fence(items);
+        fence = StationFenceItems.fence(items);
         isHeld = !items.isEmpty();
         isNew = true;
     }
 
     /** The fence; one that lets the boat be everywhere where none is held. */
-    Fence fence() {
+    StationFence fence() {
         return fence;
     }
 

@@ -27,7 +27,7 @@ final class BoatVehicle {
     private final StationStop stop;
     private final BoatMission mission;
     private final BoatParameters parameters;
-    private final WayCheck ways;
+    private final StationWayCheck ways;
     private int mode = OnboardModes.HOLD; // that a station has chosen
     private boolean armed;
     private Optional<Waypoint> target = Optional.empty(); // in mode GUIDED
@@ -38,7 +38,7 @@ final class BoatVehicle {
             CommandingStation command,
             BoatMission mission,
             BoatParameters parameters,
-            WayCheck ways) {
+            StationWayCheck ways) {
         this.name = name;
         this.boat = boat;
         this.command = command;

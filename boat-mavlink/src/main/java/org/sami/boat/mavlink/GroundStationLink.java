@@ -126,7 +126,7 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
             command = new CommandingStation(boat, name, link::say, this::commandChanged, nowMs);
             mission = new BoatMission(boat);
             parameters = new BoatParameters(boat, system);
-            WayCheck ways = new WayCheck(name, boat, fence);
+            StationWayCheck ways = new StationWayCheck(name, boat, fence);
             vehicle = new BoatVehicle(name, boat, command, mission, parameters, ways);
             guard = new FenceGuard(name, boat, fence, vehicle, link::say, link::fenceChanged);
             lists = new StationLists(name, command, vehicle, fence, guard, link, clock);

@@ -46,8 +46,8 @@ final class StationLists implements ListKeeper {
         if (why.isPresent()) {
             return refused(Refusal.DENIED, why.get());
         }
-        return kind == HeldKind.FENCE && items > FenceItems.MOST
-                ? refused(Refusal.NO_SPACE, "a fence of " + name + " has at most " + FenceItems.MOST + " items")
+        return kind == HeldKind.FENCE && items > StationFenceItems.MOST
+                ? refused(Refusal.NO_SPACE, "a fence of " + name + " has at most " + StationFenceItems.MOST + " items")
                 : Optional.empty();
     }
 
@@ -59,8 +59,8 @@ final class StationLists implements ListKeeper {
     @Override
     public Optional<Refusal> whyNot(HeldKind kind, MissionItem item) {
         boolean isFence = kind == HeldKind.FENCE;
-        boolean isKnown = isFence ? FenceItems.isKnown(item) : MissionPath.isKnown(item);
-        Optional<String> why = isFence ? FenceItems.whyNot(item) : MissionPath.whyNot(item);
+        boolean isKnown = isFence ? StationFenceItems.isKnown(item) : MissionPath.isKnown(item);
+        Optional<String> why = isFence ? StationFenceItems.whyNot(item) : MissionPath.whyNot(item);
         if (why.isPresent()) {
             return refused(isKnown ? Refusal.INVALID : Refusal.UNSUPPORTED, why.get());
         }
@@ -79,7 +79,7 @@ final class StationLists implements ListKeeper {
     @Override
     public Optional<Refusal> whyNotWhole(HeldKind kind, List<MissionItem> items) {
         return kind == HeldKind.FENCE
-                ? FenceItems.whyNotWhole(items).flatMap(why -> refused(Refusal.INVALID, why))
+                ? StationFenceItems.whyNotWhole(items).flatMap(why -> refused(Refusal.INVALID, why))
                 : Optional.empty();
     }
 
@@ -92,7 +92,7 @@ final class StationLists implements ListKeeper {
             vehicle.missionChanged(own, nowMs).ifPresent(why -> link.say(TextSeverity.NOTICE, why));
         } else if (kind == HeldKind.FENCE) {
             fence.replace(items);
-            if (FenceItems.hasReturnPoint(items)) {
+            if (StationFenceItems.hasReturnPoint(items)) {
                 link.say(
                         TextSeverity.NOTICE,
                         "the fence's return point is not used: outside, " + name + " keeps its place");

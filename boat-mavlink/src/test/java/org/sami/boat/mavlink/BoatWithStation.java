@@ -25,6 +25,7 @@ import org.sami.boat.server.tcp.BoatCompanion;
 import org.sami.boat.server.tcp.TcpBoatServer;
 import org.sami.boat.server.tcp.TcpServerConfig;
 import org.sami.boat.server.tcp.TcpServerListener;
+import org.sami.boat.server.testing.ProcessClock;
 
 /** A boat that is shown to a ground station on a UDP port of this machine, with a base of ours in its own process. */
 final class BoatWithStation implements AutoCloseable {
@@ -32,6 +33,7 @@ final class BoatWithStation implements AutoCloseable {
     static final double LON = 10.9;
     private static final double TIMES = 2; // as fast as a real one
     private static final double LONGEST_STEP_S = 0.2; // a busy machine slows it, and does not throw it about
+    private static final long PATIENCE_MS = 60_000; // a ground station that has no processor for seconds is not lost
 
     final int port;
     private final TcpBoatServer server;
@@ -39,14 +41,27 @@ final class BoatWithStation implements AutoCloseable {
     private final Base base = new Base();
     private long lastMs;
 
-    BoatWithStation(LostLinkAction lostLink) throws Exception {
+    /** A boat that does not take a slow station for a lost one. */
+    static BoatWithStation patient() throws Exception {
+        return new BoatWithStation(ServerConfig.of("anna", "boot1")
+                .lostLinkAction(LostLinkAction.HOLD)
+                .lostLinkAfterMs(PATIENCE_MS)
+                .build());
+    }
+
+    /** A boat that does something for a lost link after as long as any boat does. */
+    static BoatWithStation losingIts(LostLinkAction lostLink) throws Exception {
+        return new BoatWithStation(
+                ServerConfig.of("anna", "boot1").lostLinkAction(lostLink).build());
+    }
+
+    private BoatWithStation(ServerConfig config) throws Exception {
         try (DatagramSocket free = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
             port = free.getLocalPort();
         }
         DrivenHull hull = new DrivenHull(LAT, LON);
-        BoatServer boat = new BoatServer(
-                ServerConfig.of("anna", "boot1").lostLinkAction(lostLink).build(), hull);
-        SteadyClock clock = SteadyClock.ofThisMachine();
+        BoatServer boat = new BoatServer(config, hull);
+        SteadyClock clock = new SteadyClock(ProcessClock::ms);
         server = new TcpBoatServer(
                 "anna",
                 boat,

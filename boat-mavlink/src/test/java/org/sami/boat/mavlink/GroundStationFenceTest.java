@@ -15,7 +15,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.boat.link.BoatMode;
-import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Role;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
@@ -44,7 +43,7 @@ class GroundStationFenceTest {
 
     @BeforeEach
     void launch() throws Exception {
-        boat = new BoatWithStation(LostLinkAction.HOLD);
+        boat = BoatWithStation.patient();
         station = new MavlinkBase(List.of(AddressText.parse("mavlink:udp:" + boat.port)), ProcessClock::ms);
         Await.until(
                 "it is seen",

@@ -65,7 +65,7 @@ class GroundStationLinkTest {
 
     @Test
     void isASurfaceBoatWithPositionBatteryAndParameters() throws Exception {
-        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD);
+        try (BoatWithStation boat = BoatWithStation.patient();
                 MavlinkBase station = station(boat)) {
             VehicleSnapshot seen = seen(station);
 
@@ -89,7 +89,7 @@ class GroundStationLinkTest {
 
     @Test
     void carriesOutAMissionThatIsReadBackEqual() throws Exception {
-        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD);
+        try (BoatWithStation boat = BoatWithStation.patient();
                 MavlinkBase station = station(boat)) {
             seen(station);
             List<MissionItem> mission = List.of(
@@ -107,7 +107,8 @@ class GroundStationLinkTest {
             assertThat(boat.base().mode()).isEqualTo(BoatMode.STOPPED);
             assertThat(give(station, VehicleCommand.arm()).isAccepted()).isTrue();
             untilMode(station, "LOITER", true); // at the end
-            assertThat(seen(station).currentItem()).contains(3);
+            Await.until(
+                    "its last item is told", () -> seen(station).currentItem().equals(Optional.of(3)));
 
             CommandPlace start = new CommandPlace(BoatWithStation.LAT, BoatWithStation.LON, 0);
             assertThat(give(station, VehicleCommand.reposition(start, Optional.of(3.0)))
@@ -124,7 +125,7 @@ class GroundStationLinkTest {
 
     @Test
     void obeysTheBaseThatCommandsAndAsksItsOperatorUntilItHandsOver() throws Exception {
-        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD);
+        try (BoatWithStation boat = BoatWithStation.patient();
                 MavlinkBase station = station(boat)) {
             boat.base().command(Role.COMMANDER);
             boat.base()
@@ -156,7 +157,7 @@ class GroundStationLinkTest {
 
     @Test
     void noParameterIsSetWhileABaseCommands() throws Exception {
-        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD);
+        try (BoatWithStation boat = BoatWithStation.patient();
                 MavlinkBase station = station(boat)) {
             seen(station);
             assertThat(station.setParameter(BOAT, "CRUISE_SPEED", 2).join()).isEqualTo(2);
@@ -172,7 +173,7 @@ class GroundStationLinkTest {
 
     @Test
     void doesWhatIsSetForALostLinkWhenItsStationIsGone() throws Exception {
-        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.DRIFT)) {
+        try (BoatWithStation boat = BoatWithStation.losingIts(LostLinkAction.DRIFT)) {
             try (MavlinkBase station = station(boat)) {
                 seen(station);
                 station.setMode(BOAT, "LOITER").join();
@@ -193,7 +194,7 @@ class GroundStationLinkTest {
 
     @Test
     void refusesWhatABoatCannotDo() throws Exception {
-        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD);
+        try (BoatWithStation boat = BoatWithStation.patient();
                 MavlinkBase station = station(boat)) {
             seen(station);
 

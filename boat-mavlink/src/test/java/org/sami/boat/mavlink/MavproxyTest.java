@@ -12,7 +12,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.server.testing.Await;
 
 /** A boat of ours and MAVProxy, whose commands are typed as its user types them. */
@@ -108,7 +107,7 @@ class MavproxyTest {
         assumeTrue(StationPrograms.has("MAVProxy"), () -> StationPrograms.missing("MAVProxy"));
         Files.writeString(folder.resolve("mission.txt"), MISSION);
         Files.writeString(folder.resolve("fence.txt"), FENCE);
-        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD);
+        try (BoatWithStation boat = BoatWithStation.patient();
                 Typed station = new Typed(boat.port, folder)) {
             station.until("Detected vehicle 7:1");
             station.until("parameters to");

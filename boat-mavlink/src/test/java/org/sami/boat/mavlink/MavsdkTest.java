@@ -10,7 +10,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.boat.link.LostLinkAction;
 
 /** A boat of ours and a program on MAVSDK. */
 @Tag("long")
@@ -23,7 +22,7 @@ class MavsdkTest {
         try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             own = free.getLocalPort(); // between MAVSDK's server and the script
         }
-        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD)) {
+        try (BoatWithStation boat = BoatWithStation.patient()) {
             assertThat(StationPrograms.runScript("mavsdk-station.py", folder, "" + boat.port, "" + own)
                             .lines()
                             .filter(line -> !line.contains(".cpp:"))) // MAVSDK's own log

@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.sami.boat.link.LostLinkAction;
 
 /** A boat of ours and a ground station that this project has not written, on pymavlink. */
 @Timeout(900)
@@ -15,7 +14,7 @@ class PymavlinkTest {
     @Test
     void aStationOnPymavlinkSeesTheBoatAndSendsItOnAMission(@TempDir Path folder) throws Exception {
         assumeTrue(StationPrograms.has("pymavlink"), () -> StationPrograms.missing("pymavlink"));
-        try (BoatWithStation boat = new BoatWithStation(LostLinkAction.HOLD)) {
+        try (BoatWithStation boat = BoatWithStation.patient()) {
             assertThat(StationPrograms.runScript("station.py", folder, "" + boat.port)
                             .lines())
                     .containsExactly(

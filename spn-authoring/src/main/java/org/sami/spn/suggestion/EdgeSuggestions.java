@@ -40,8 +40,8 @@ public final class EdgeSuggestions {
 
     private SuggestionResult run() {
         List<Candidate> candidates = new EdgeCandidates(plan, request.vocabulary()).of(request.edge());
-        Judgement first = start(request.project());
-        Judgement before = rest(request.project(), first);
+        VersionFindings first = start(request.project());
+        VersionFindings before = rest(request.project(), first);
         if (before.size() == 0) {
             return result(List.of(), before, 0, candidates.size());
         }
@@ -50,7 +50,7 @@ public final class EdgeSuggestions {
         while (tried < candidates.size() && judge.hasBudget() && !watch.isCancelled()) {
             watch.tried(tried, candidates.size());
             Candidate candidate = candidates.get(tried);
-            Optional<Judgement> after = candidate
+            Optional<VersionFindings> after = candidate
                     .edit()
                     .apply(request.project(), request.vocabulary())
                     .project()
@@ -69,16 +69,16 @@ public final class EdgeSuggestions {
     }
 
     /** The quick checks and, where these find no error, the search with the first team. */
-    private Judgement start(Project project) {
-        Judgement quick = judge.quick(project);
+    private VersionFindings start(Project project) {
+        VersionFindings quick = judge.quick(project);
         return quick.errors() > 0
                 ? quick
                 : quick.and(judge.searched(project, request.teams().get(0)));
     }
 
     /** The searches with the other teams. */
-    private Judgement rest(Project project, Judgement start) {
-        Judgement all = start;
+    private VersionFindings rest(Project project, VersionFindings start) {
+        VersionFindings all = start;
         if (start.errors() == 0) {
             for (int robots : request.teams().subList(1, request.teams().size())) {
                 all = all.and(judge.searched(project, robots));
@@ -88,21 +88,21 @@ public final class EdgeSuggestions {
     }
 
     /** The findings about a changed plan, if they are fewer. */
-    private Optional<Judgement> judged(Project changed, Judgement first, Judgement before) {
-        Judgement quick = judge.quick(changed);
+    private Optional<VersionFindings> judged(Project changed, VersionFindings first, VersionFindings before) {
+        VersionFindings quick = judge.quick(changed);
         if (quick.errors() > 0) {
             return Optional.empty();
         }
-        Judgement start = quick.and(judge.searched(changed, request.teams().get(0)));
+        VersionFindings start = quick.and(judge.searched(changed, request.teams().get(0)));
         boolean ran = first.errors() == 0;
         if (ran && (start.size() > first.size() || (start.size() == first.size() && first.size() > 0))) {
             return Optional.empty(); // the first team shows no gain: the others are not tried
         }
-        Judgement after = rest(changed, start);
+        VersionFindings after = rest(changed, start);
         return ran && after.size() >= before.size() ? Optional.empty() : Optional.of(after);
     }
 
-    private Suggestion suggestion(Candidate candidate, Judgement before, Judgement after) {
+    private Suggestion suggestion(Candidate candidate, VersionFindings before, VersionFindings after) {
         return new Suggestion(
                 candidate.words(),
                 candidate.edit(),
@@ -114,7 +114,7 @@ public final class EdgeSuggestions {
                 after.complete());
     }
 
-    private SuggestionResult result(List<Suggestion> found, Judgement before, int tried, int all) {
+    private SuggestionResult result(List<Suggestion> found, VersionFindings before, int tried, int all) {
         String summary;
         if (before.size() == 0) {
             summary = "Nothing is found in this plan" + (before.complete() ? "" : ", as far as it was searched")
@@ -133,7 +133,7 @@ public final class EdgeSuggestions {
         return watch.isCancelled() ? " before it was stopped" : " within " + request.allStates() + " states";
     }
 
-    private static String none(Judgement before) {
+    private static String none(VersionFindings before) {
         return before.errors() > 0
                 ? "with each of them the plan still has errors, which are to be mended elsewhere first"
                 : "none leaves fewer findings; look at the edges around it";

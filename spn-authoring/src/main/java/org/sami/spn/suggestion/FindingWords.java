@@ -57,7 +57,7 @@ final class FindingWords {
     }
 
     private boolean isUnreached(Finding finding) {
-        return Judgement.code(finding).equals("W-NEVER-REACHED")
+        return VersionFindings.code(finding).equals("W-NEVER-REACHED")
                 && finding.plan().equals(plan.id())
                 && !finding.elements().isEmpty();
     }
@@ -70,7 +70,7 @@ final class FindingWords {
         }
         String first = word(about.get(0));
         String last = word(about.get(about.size() - 1));
-        return switch (Judgement.code(finding)) {
+        return switch (VersionFindings.code(finding)) {
             case "W-STUCK" ->
                 "The mission" + never + "stands still with tokens in "
                         + about.stream().map(this::word).collect(Collectors.joining(", "));

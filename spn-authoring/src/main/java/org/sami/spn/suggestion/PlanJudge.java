@@ -37,12 +37,12 @@ final class PlanJudge {
     }
 
     /** The quick checks; where they find an error, the plan does not start and nothing more is known of it. */
-    Judgement quick(Project project) {
-        return Judgement.of(PlanChecks.check(project, request.vocabulary(), request.plan()), true);
+    VersionFindings quick(Project project) {
+        return VersionFindings.of(PlanChecks.check(project, request.vocabulary(), request.plan()), true);
     }
 
     /** The searches with one team. */
-    Judgement searched(Project project, int robots) {
+    VersionFindings searched(Project project, int robots) {
         List<String> names =
                 IntStream.rangeClosed(1, robots).mapToObj(i -> "robot-" + i).toList();
         int most = Math.min(request.statesPerSearch(), Math.max(1, request.allStates() - states));
@@ -51,7 +51,7 @@ final class PlanJudge {
         states += result.states();
         List<Finding> found = new ArrayList<>(
                 result.findings().stream().map(DeepFinding::finding).toList());
-        return Judgement.of(found, result.complete());
+        return VersionFindings.of(found, result.complete());
     }
 
     int states() {

@@ -43,8 +43,8 @@ public final class PlansPanel extends JPanel {
     private final OperatorContext context;
     private final MissionStarter starter;
     private final Document searched = new PlainDocument();
-    private final PlanSearch search = new PlanSearch("plans-search", searched, this::toFound);
-    private final PlanSearch searchInRow = new PlanSearch("plans-search-beside", searched, this::toFound);
+    private final PlanSearchField search = new PlanSearchField("plans-search", searched, this::toFound);
+    private final PlanSearchField searchInRow = new PlanSearchField("plans-search-beside", searched, this::toFound);
     private final CommandRow above = new CommandRow();
     private final MigLayout rowLayout = new MigLayout(IN_ROW, "[grow,fill]", "[]");
     private final JPanel beside = new JPanel(rowLayout);
@@ -102,7 +102,7 @@ public final class PlansPanel extends JPanel {
                                 () -> (above.isVisible() ? search : searchInRow).requestFocusInWindow())
                         .withKey("ctrl F")
                         .withIcon("search"));
-        PlanSearch.onChange(searched, this::find);
+        PlanSearchField.onChange(searched, this::find);
         above.left(search).right(CommandButton.primary(start, "play")).right(new CommandButton(startWith));
         LookColors.border(above, () -> BorderFactory.createMatteBorder(0, 0, 1, 0, SemanticColor.BORDER.get()));
         beside.add(searchInRow, "growx, wmin 0");

@@ -102,7 +102,7 @@ class BoardVehicleTest {
         reporting.set(true);
 
         awaitCommand(HALF);
-        assertThat(news.get(news.size() - 1)).isEqualTo("CONNECTED ");
+        Await.until("it is told", () -> news.get(news.size() - 1).equals("CONNECTED "));
     }
 
     @Test
@@ -111,9 +111,9 @@ class BoardVehicleTest {
         awaitCommand(HALF);
         reporting.set(false);
         awaitCommand(ZERO);
-        assertThat(vehicle.boardState()).isEqualTo(BoardState.SILENT);
         Await.until("its port is opened anew", () -> vehicle.boardState() == BoardState.GONE);
-        assertThat(news).contains("GONE it was silent for 5 s");
+        Await.until("both states are told", () -> news.contains("GONE it was silent for 5 s"));
+        assertThat(news).anyMatch(each -> each.startsWith("SILENT "));
 
         reporting.set(true);
         awaitCommand(HALF);

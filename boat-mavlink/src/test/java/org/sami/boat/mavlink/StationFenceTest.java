@@ -9,9 +9,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.mavlink.mission.MissionItem;
 
 /** Where a fence lets a boat be, and which ways lead out of it. */
-class FenceTest {
+class StationFenceTest {
     /** A square of 2 by 2 hundredths of a degree with a square hole in its middle. */
-    private static final Fence RING = FenceItems.fence(FencePart.list(
+    private static final StationFence RING = StationFenceItems.fence(FencePart.list(
             FencePart.square(FencePart.INCLUSION, 45, 10, 0.01), FencePart.square(FencePart.EXCLUSION, 45, 10, 0.002)));
 
     private static Position at(double north, double east) {
@@ -50,7 +50,7 @@ class FenceTest {
 
     @Test
     void aCircleIsAsWideAsItsRadius() {
-        Fence fence = FenceItems.fence(FencePart.circle(FencePart.CIRCLE_INCLUSION, 60, 10, 1_000));
+        StationFence fence = StationFenceItems.fence(FencePart.circle(FencePart.CIRCLE_INCLUSION, 60, 10, 1_000));
         double north = 1_000 / 111_412.0; // metres of a degree of latitude there
         double east = 1_000 / 55_800.0; // and of longitude
 
@@ -62,7 +62,7 @@ class FenceTest {
 
     @Test
     void aWayThroughAnExcludedCircleLeadsOut() {
-        Fence fence = FenceItems.fence(FencePart.circle(FencePart.CIRCLE_EXCLUSION, 45, 10, 100));
+        StationFence fence = StationFenceItems.fence(FencePart.circle(FencePart.CIRCLE_EXCLUSION, 45, 10, 100));
 
         assertThat(fence.leadsOut(at(0, -0.01), at(0, 0.01))).isTrue();
         assertThat(fence.leadsOut(at(0.00091, -0.01), at(0.00091, 0.01))).isFalse();
@@ -74,8 +74,8 @@ class FenceTest {
         MissionItem west = FencePart.item(FencePart.CIRCLE_INCLUSION, 45, 9.999, 100, 0);
         MissionItem east = FencePart.item(FencePart.CIRCLE_INCLUSION, 45, 10.001, 100, 0);
         MissionItem eastOfOtherGroup = FencePart.item(FencePart.CIRCLE_INCLUSION, 45, 10.001, 100, 1);
-        Fence both = FenceItems.fence(List.of(west, east));
-        Fence either = FenceItems.fence(List.of(west, eastOfOtherGroup));
+        StationFence both = StationFenceItems.fence(List.of(west, east));
+        StationFence either = StationFenceItems.fence(List.of(west, eastOfOtherGroup));
 
         assertThat(both.isInside(at(0, 0))).isTrue();
         assertThat(both.isInside(at(0, 0.001))).isFalse();
@@ -86,7 +86,7 @@ class FenceTest {
 
     @Test
     void aFenceMayCrossTheDateLine() {
-        Fence fence = FenceItems.fence(FencePart.polygon(
+        StationFence fence = StationFenceItems.fence(FencePart.polygon(
                 FencePart.INCLUSION, new double[][] {{-17, 179.9}, {-16.8, 179.9}, {-16.8, -179.9}, {-17, -179.9}}));
 
         assertThat(fence.isInside(new Position(-16.9, 179.95))).isTrue();
@@ -100,7 +100,7 @@ class FenceTest {
 
     @Test
     void withoutAFenceABoatMayBeEverywhere() {
-        assertThat(Fence.NONE.isInside(at(0, 0))).isTrue();
-        assertThat(Fence.NONE.leadsOut(at(0, 0), at(1, 1))).isFalse();
+        assertThat(StationFence.NONE.isInside(at(0, 0))).isTrue();
+        assertThat(StationFence.NONE.leadsOut(at(0, 0), at(1, 1))).isFalse();
     }
 }

@@ -14,9 +14,9 @@ import java.util.stream.Collectors;
  *
  * @param zones in the order in which the ground station sent them
  */
-record Fence(List<Zone> zones) {
+record StationFence(List<Zone> zones) {
     /** A fence that lets a boat be everywhere. */
-    static final Fence NONE = new Fence(List.of());
+    static final StationFence NONE = new StationFence(List.of());
 
     private static final double SHORTEST_PART = 1e-9; // of a way; where it meets a corner, it crosses two edges at once
 
@@ -29,7 +29,7 @@ record Fence(List<Zone> zones) {
     record Zone(FenceShape shape, boolean isInclusion, int group) {}
 
     /** A fence. */
-    Fence {
+    StationFence {
         zones = List.copyOf(zones);
     }
 

@@ -12,7 +12,7 @@ import org.sami.ui.look.Look;
 import org.sami.ui.look.Spacing;
 
 /** The field in which plans are searched: Down and Enter lead to what was found, Escape empties it. On the event thread. */
-final class PlanSearch extends JTextField {
+final class PlanSearchField extends JTextField {
     private static final int NARROW = 88;
     private static final int WIDE = 220;
     private static final int BUTTONS = 400; // this width is first given to what is next to it
@@ -22,7 +22,7 @@ final class PlanSearch extends JTextField {
      *
      * @param found brings the focus to what was found
      */
-    PlanSearch(String name, Document text, Runnable found) {
+    PlanSearchField(String name, Document text, Runnable found) {
         super(text, null, 0);
         setName(name);
         putClientProperty("JTextField.placeholderText", "Search plans");

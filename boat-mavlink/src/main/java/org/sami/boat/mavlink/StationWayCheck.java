@@ -5,7 +5,7 @@ import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.vehicle.LocalFrame;
 
 /** Says why a boat may not go where a ground station sends it: too far away, or out of its fence. Looks only. For the boat's thread. */
-final class WayCheck {
+final class StationWayCheck {
     private static final double FARTHEST_M = 20_000;
     private static final double KM = 1_000;
 
@@ -13,7 +13,7 @@ final class WayCheck {
     private final BoatClient boat;
     private final BoatFence fence;
 
-    WayCheck(String name, BoatClient boat, BoatFence fence) {
+    StationWayCheck(String name, BoatClient boat, BoatFence fence) {
         this.name = name;
         this.boat = boat;
         this.fence = fence;

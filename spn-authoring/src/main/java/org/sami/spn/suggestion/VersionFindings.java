@@ -14,16 +14,16 @@ import org.sami.spn.finding.Severity;
  * @param findings errors and warnings by what they are about, whatever the team
  * @param complete whether the searches looked at every state
  */
-record Judgement(Map<String, Finding> findings, boolean complete) {
+record VersionFindings(Map<String, Finding> findings, boolean complete) {
     /** A search that did not look at every state calls what it has not reached a note; it counts as if it were never reached. */
     private static final Map<String, String> SAME = Map.of("N-NOT-REACHED", "W-NEVER-REACHED");
 
-    static Judgement of(List<Finding> found, boolean complete) {
+    static VersionFindings of(List<Finding> found, boolean complete) {
         Map<String, Finding> findings = new LinkedHashMap<>();
         found.stream()
                 .filter(finding -> finding.severity() != Severity.NOTE || SAME.containsKey(finding.code()))
                 .forEach(finding -> findings.putIfAbsent(key(finding), finding));
-        return new Judgement(findings, complete);
+        return new VersionFindings(findings, complete);
     }
 
     private static String key(Finding finding) {
@@ -36,10 +36,10 @@ record Judgement(Map<String, Finding> findings, boolean complete) {
         return SAME.getOrDefault(finding.code(), finding.code());
     }
 
-    Judgement and(Judgement other) {
+    VersionFindings and(VersionFindings other) {
         Map<String, Finding> both = new LinkedHashMap<>(findings);
         other.findings.forEach(both::putIfAbsent);
-        return new Judgement(both, complete && other.complete);
+        return new VersionFindings(both, complete && other.complete);
     }
 
     long errors() {
@@ -51,7 +51,7 @@ record Judgement(Map<String, Finding> findings, boolean complete) {
     }
 
     /** The findings that another version does not have. */
-    List<Finding> without(Judgement other) {
+    List<Finding> without(VersionFindings other) {
         Set<String> there = other.findings.keySet();
         return findings.entrySet().stream()
                 .filter(found -> !there.contains(found.getKey()))

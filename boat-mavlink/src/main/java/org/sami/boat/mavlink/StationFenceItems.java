@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.sami.mavlink.mission.MissionItem;
 
 /** Reads the items that ground stations send as a fence, and says what is wrong with them. */
-final class FenceItems {
+final class StationFenceItems {
     /** How many items a fence may have. */
     static final int MOST = 500;
 
@@ -19,7 +19,7 @@ final class FenceItems {
     private static final double SMALLEST_M2 = 1;
     private static final double MOST_LAT_DEG = 85; // the poles are out of reach of a boat's maps
 
-    private FenceItems() {}
+    private StationFenceItems() {}
 
     /** Whether a boat has the command of an item. */
     static boolean isKnown(MissionItem item) {
@@ -90,7 +90,7 @@ final class FenceItems {
     }
 
     private static FencePolygon polygon(List<MissionItem> corners) {
-        return new FencePolygon(corners.stream().map(FenceItems::position).toList());
+        return new FencePolygon(corners.stream().map(StationFenceItems::position).toList());
     }
 
     private static Position position(MissionItem item) {
@@ -107,19 +107,19 @@ final class FenceItems {
     }
 
     /** The fence that a list is of which nothing is wrong. */
-    static Fence fence(List<MissionItem> items) {
-        List<Fence.Zone> zones = new ArrayList<>();
+    static StationFence fence(List<MissionItem> items) {
+        List<StationFence.Zone> zones = new ArrayList<>();
         for (int i = 0; i < items.size(); ) {
             MissionItem item = items.get(i);
             if (isCircle(item)) {
                 FenceCircle circle = new FenceCircle(position(item), item.param1());
-                zones.add(new Fence.Zone(circle, item.command() == CIRCLE_INCLUSION, group(item)));
+                zones.add(new StationFence.Zone(circle, item.command() == CIRCLE_INCLUSION, group(item)));
             } else if (isCorner(item)) {
                 FencePolygon polygon = polygon(items.subList(i, i + (int) item.param1()));
-                zones.add(new Fence.Zone(polygon, item.command() == POLYGON_INCLUSION, group(item)));
+                zones.add(new StationFence.Zone(polygon, item.command() == POLYGON_INCLUSION, group(item)));
             }
             i += isCorner(item) ? (int) item.param1() : 1;
         }
-        return new Fence(zones);
+        return new StationFence(zones);
     }
 }

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.mavlink.mission.MissionItem;
 
 /** Which items are a fence. */
-class FenceItemsTest {
+class StationFenceItemsTest {
     private static final List<MissionItem> SQUARE = FencePart.list(FencePart.square(FencePart.INCLUSION, 45, 10, 0.01));
 
     @ParameterizedTest
@@ -30,33 +30,33 @@ class FenceItemsTest {
         "16, 45, 10, 0, fence item 0: a boat of SAMI has no nav waypoint"
     })
     void eachItemIsJudgedByItself(int command, double lat, double lon, double param1, String why) {
-        assertThat(FenceItems.whyNot(FencePart.item(command, lat, lon, param1, 0))
+        assertThat(StationFenceItems.whyNot(FencePart.item(command, lat, lon, param1, 0))
                         .orElse(""))
                 .isEqualTo(why);
     }
 
     @Test
     void polygonsHaveAsManyCornersAsTheySay() {
-        assertThat(FenceItems.whyNotWhole(SQUARE)).isEmpty();
-        assertThat(FenceItems.whyNotWhole(SQUARE.subList(0, 3)))
+        assertThat(StationFenceItems.whyNotWhole(SQUARE)).isEmpty();
+        assertThat(StationFenceItems.whyNotWhole(SQUARE.subList(0, 3)))
                 .contains("fence items 0 to 3 should be one polygon of 4 corners, and 3 are");
         List<MissionItem> other = FencePart.square(FencePart.EXCLUSION, 45, 10, 0.001);
-        assertThat(FenceItems.whyNotWhole(FencePart.list(SQUARE, SQUARE.subList(0, 2), other)))
+        assertThat(StationFenceItems.whyNotWhole(FencePart.list(SQUARE, SQUARE.subList(0, 2), other)))
                 .contains("fence items 4 to 7 should be one polygon of 4 corners, and 2 are");
-        assertThat(FenceItems.whyNotWhole(
+        assertThat(StationFenceItems.whyNotWhole(
                         FencePart.list(SQUARE, FencePart.circle(FencePart.CIRCLE_EXCLUSION, 45, 10, 5), other)))
                 .isEmpty();
     }
 
     @Test
     void polygonsDoNotCrossThemselvesAndHaveAnArea() {
-        assertThat(FenceItems.whyNotWhole(FencePart.polygon(
+        assertThat(StationFenceItems.whyNotWhole(FencePart.polygon(
                         FencePart.INCLUSION, new double[][] {{45, 10}, {45.01, 10.01}, {45.01, 10}, {45, 10.01}})))
                 .contains("fence items 0 to 3: edges of the polygon cross");
-        assertThat(FenceItems.whyNotWhole(FencePart.polygon(
+        assertThat(StationFenceItems.whyNotWhole(FencePart.polygon(
                         FencePart.INCLUSION, new double[][] {{45, 10}, {45.01, 10.01}, {45.02, 10.02}})))
                 .contains("fence items 0 to 2: the polygon has no area");
-        assertThat(FenceItems.whyNotWhole(FencePart.polygon(
+        assertThat(StationFenceItems.whyNotWhole(FencePart.polygon(
                         FencePart.INCLUSION, new double[][] {{45, 10}, {45.01, 10}, {45.01, 10.01}, {45, 10}})))
                 .isEmpty(); // its first corner comes again at the end
     }
