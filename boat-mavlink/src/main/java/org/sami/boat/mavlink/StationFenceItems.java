@@ -90,7 +90,8 @@ final class StationFenceItems {
     }
 
     private static FencePolygon polygon(List<MissionItem> corners) {
-        return new FencePolygon(corners.stream().map(StationFenceItems::position).toList());
+        return new FencePolygon(
+                corners.stream().map(StationFenceItems::position).toList());
     }
 
     private static Position position(MissionItem item) {

@@ -50,7 +50,12 @@ final class DrivenBoat {
         command = new CommandingStation(client, "anna", (severity, text) -> {}, this::commandChanged, nowMs);
         mission = new BoatMission(client);
         vehicle = new BoatVehicle(
-                "anna", client, command, mission, new BoatParameters(client, 1), new StationWayCheck("anna", client, fence));
+                "anna",
+                client,
+                command,
+                mission,
+                new BoatParameters(client, 1),
+                new StationWayCheck("anna", client, fence));
         guard = new FenceGuard(
                 "anna", client, fence, vehicle, (severity, text) -> said.add(text), () -> fenceReports++);
         pass(200);

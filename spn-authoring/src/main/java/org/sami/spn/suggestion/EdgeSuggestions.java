@@ -93,7 +93,8 @@ public final class EdgeSuggestions {
         if (quick.errors() > 0) {
             return Optional.empty();
         }
-        VersionFindings start = quick.and(judge.searched(changed, request.teams().get(0)));
+        VersionFindings start =
+                quick.and(judge.searched(changed, request.teams().get(0)));
         boolean ran = first.errors() == 0;
         if (ran && (start.size() > first.size() || (start.size() == first.size() && first.size() > 0))) {
             return Optional.empty(); // the first team shows no gain: the others are not tried
