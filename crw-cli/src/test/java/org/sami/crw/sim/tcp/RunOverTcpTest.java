@@ -128,7 +128,8 @@ class RunOverTcpTest {
             assertThat(run.err()).contains("stopped; go on with: crw resume " + journal);
             assertThat(run.out())
                     .contains("outcome             running")
-                    .containsPattern("boats when the run stopped\n  anna .*\n  bert "); // what each does, as far as it is
+                    .containsPattern(
+                            "boats when the run stopped\n  anna .*\n  bert "); // what each does, as far as it is
             assertThat(folder.resolve("report").resolve("map.png")).isNotEmptyFile();
             for (String boat : List.of("anna", "bert")) {
                 Await.until(boat + " has heard it", () -> {
