@@ -60,6 +60,22 @@ class AdoptedListTest {
     }
 
     @Test
+    void itIsReadBackAgainWhereTheLinkIsLostBeforeTheAnswer() {
+        comesBack(LIST, new Progress(LIST, 1, false));
+        String unanswered = boat.last(ReadBack.class).commandId();
+
+        boat.silent(5);
+        boat.says(new Welcome("boat1", "b1", Role.COMMANDER, ""));
+        boat.says(new Progress(LIST, 2, false));
+        assertThat(boat.last(ReadBack.class).commandId()).isNotEqualTo(unanswered);
+        holds(LIST, 1.5);
+
+        assertThat(said(UploadWaypoints.class)).isZero();
+        assertThat(boat.last(StartWaypoints.class).listId()).isEqualTo(LIST);
+        assertThat(boat.last(StartWaypoints.class).index()).isEqualTo(2);
+    }
+
+    @Test
     void whatTheBoatHasFinishedMeanwhileIsComplete() {
         comesBack(LIST, new Progress(LIST, 3, true));
         holds(LIST, 1.5);

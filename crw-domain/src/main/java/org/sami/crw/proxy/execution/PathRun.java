@@ -62,6 +62,7 @@ final class PathRun extends CommandRun {
     private Phase phase = Phase.UPLOADING;
     private Optional<ProgressMonitor> headway = Optional.empty();
     private int starts;
+    private int readBacks;
 
     /**
      * A list that the boat already holds because an earlier process of this base sent it for the same command.
@@ -203,7 +204,8 @@ final class PathRun extends CommandRun {
 
     private void readBack(long nowMs) {
         phase = Phase.READING_BACK;
-        requests.send(new ReadBack(wireId + "/readback"), nowMs);
+        requests.send(new ReadBack(wireId + "/readback" + (readBacks == 0 ? "" : readBacks)), nowMs);
+        readBacks++;
     }
 
     private Verdict startUploaded(long nowMs) {
@@ -284,6 +286,10 @@ final class PathRun extends CommandRun {
 
     @Override
     Verdict resume(Progress held, long nowMs) {
+        if (phase == Phase.READING_BACK && held.listId().equals(listId)) {
+            readBack(nowMs); // the link was lost before the answer came; the boat has the list
+            return Verdict.GO_ON;
+        }
         if (!isAbout(held)) {
             return because(Verdict.RETRY, "the boat holds another list");
         }
