@@ -1,9 +1,7 @@
 package org.sami.crw.mavlink;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
@@ -24,25 +22,19 @@ import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
- * The list of waypoints that the base has given to a vehicle, as an autopilot does it: a path as a mission in AUTO, a single place in GUIDED. For the gateway's
- * thread.
+ * The list of waypoints that the base has given to a vehicle, as an autopilot does it: a path as a mission in AUTO, a single place in GUIDED. How far the
+ * vehicle is along it, {@link MissionProgress} judges. For the gateway's thread.
  */
 final class VehiclePaths {
     private final MavlinkBase base;
     private final VehicleMotion motion;
     private final MissionStore store;
-    private final VehicleArrival arrival;
-    private final MissionWatch watch;
-    private final VehicleTrail trail;
-    private final Consumer<String> alarm;
+    private final MissionProgress judged;
     private final StalledListDetector gate = new StalledListDetector();
-    private final EarlyReports early = new EarlyReports();
-    private final UnjudgedReports unjudged = new UnjudgedReports();
     private final Consumer<LinkMessage> broadcast;
     private final Runnable changed;
     private Optional<DrivenList> list;
     private double multiplier = 1;
-    private boolean isForeign; // the mission along which it drives, as was noticed just now
 
     /**
      * The list that an earlier base has given to the vehicle, or none.
@@ -62,20 +54,11 @@ final class VehiclePaths {
             VehicleFiles.Kept kept) {
         this.base = base;
         this.motion = motion;
-        arrival = new VehicleArrival(motion);
         this.broadcast = broadcast;
         this.changed = changed;
-        this.alarm = alarm;
-        watch = new MissionWatch(radiusM);
-        trail = new VehicleTrail(radiusM);
         store = new MissionStore(
-                base,
-                motion.vehicle().id(),
-                thread,
-                this::isInAuto,
-                this::further,
-                other -> replaced("it holds another mission than it was given"),
-                alarm);
+                base, motion.vehicle().id(), thread, this::isInAuto, this::further, held -> another(), alarm);
+        judged = new MissionProgress(motion, store, () -> list, radiusM, this::progressed, alarm);
         list = kept.list().map(upload -> DrivenList.kept(upload, kept.heldTo(), kept.next(), motion.flies()));
     }
 
@@ -110,96 +93,20 @@ final class VehiclePaths {
 
     /** Whether a vehicle says that its mission has changed as a part of it is on its way. */
     boolean causes(StatusText text) {
-        return MissionWatch.isChange(text) && store.isMoving();
+        return judged.causes(text);
     }
 
     void happened(VehicleEvent event) {
-        if (event instanceof VehicleEvent.Said said && MissionWatch.isChange(said.text())) {
-            store.doubt();
-        }
-        if (!store.holds(list)) {
-            return;
-        }
-        if (motion.vehicle().mode().equals(VehicleMotion.AUTO)) {
-            unjudged.add(event);
-            judge();
-        } else if (motion.isSettingOff()) {
-            early.keep(event);
-        }
+        judged.happened(event);
     }
 
-    private void judge() {
-        while (store.holds(list)) {
-            Optional<VehicleEvent> next =
-                    unjudged.next(this::isDoubtful, trail, motion.vehicle().heardMs());
-            if (next.isEmpty()) {
-                return;
-            }
-            drives(next.get());
-        }
-        unjudged.forget();
+    private void another() {
+        judged.replaced("it holds another mission than it was given");
     }
 
-    private boolean isDoubtful(VehicleEvent event) {
-        return event instanceof VehicleEvent.ItemCurrent current
-                ? !list.orElseThrow().passedBy(current.item()).isEmpty()
-                : event instanceof VehicleEvent.ItemReached reached
-                        && farM(list.orElseThrow(), reached).isPresent();
-    }
-
-    private void drives(VehicleEvent event) {
-        boolean further = false;
-        if (event instanceof VehicleEvent.ItemReached reached) {
-            further = isReached(list.orElseThrow(), reached);
-        } else if (event instanceof VehicleEvent.ItemCurrent current) {
-            further = isFurther(list.orElseThrow(), current);
-        }
-        if (further) {
-            trail.restart();
-            broadcast.accept(progress());
-            keepSpeed();
-        }
-    }
-
-    private static Optional<Waypoint> waypoint(DrivenList along, VehicleEvent.ItemReached reached) {
-        return along.waypointOf(reached.item()).map(along.waypoints()::get);
-    }
-
-    private Optional<Double> farM(DrivenList along, VehicleEvent.ItemReached reached) {
-        return waypoint(along, reached).flatMap(waypoint -> watch.tooFarM(waypoint, reached));
-    }
-
-    private boolean isReached(DrivenList along, VehicleEvent.ItemReached reached) {
-        Optional<Double> farM = farM(along, reached)
-                .filter(metres -> trail.skipped(List.of(waypoint(along, reached).orElseThrow()), reached.heardMs())
-                        .isPresent());
-        if (farM.isPresent()) {
-            replaced(String.format(
-                    Locale.ROOT,
-                    "it says that it has reached waypoint %d, and is %.0f m from it",
-                    along.waypointOf(reached.item()).orElseThrow() + 1,
-                    farM.get()));
-            return false;
-        }
-        return along.reached(reached.item());
-    }
-
-    /** Of waypoints between, its reports may be lost; but it must have been there. */
-    private boolean isFurther(DrivenList along, VehicleEvent.ItemCurrent current) {
-        OptionalInt skipped = trail.skipped(along.passedBy(current.item()), current.heardMs());
-        if (skipped.isPresent()) {
-            replaced("it has left out waypoint " + (along.passed() + skipped.getAsInt() + 1));
-            return false;
-        }
-        return along.current(current.item());
-    }
-
-    /** What it reports is no progress along the list any longer. */
-    private void replaced(String why) {
-        store.forget();
-        isForeign = true;
-        alarm.accept(
-                "the mission of vehicle " + motion.vehicle().id() + " is not the one of this base any longer: " + why);
+    private void progressed() {
+        broadcast.accept(progress());
+        keepSpeed();
     }
 
     /** The items of a mission set the speeds of its legs; a multiplier is set after each of them. */
@@ -215,20 +122,7 @@ final class VehiclePaths {
 
     /** Counts what the vehicle, as it has just reported itself, has reached, and looks whether it has come to the end of its list where an autopilot does not say so. */
     void seen() {
-        motion.vehicle().position().ifPresent(trail::add);
-        if (motion.vehicle().mode().equals(VehicleMotion.AUTO) && store.holds(list)) {
-            early.take().forEach(unjudged::add);
-            judge();
-        } else {
-            unjudged.forget();
-            if (!motion.isSettingOff()) {
-                early.forget();
-            }
-        }
-        boolean arrived = list.filter(along ->
-                        motion.flies() ? store.holds(list) && arrival.hasLanded(along) : arrival.isThere(along))
-                .isPresent();
-        if (arrived) {
+        if (judged.seen()) {
             atEnd();
         }
     }
@@ -241,23 +135,7 @@ final class VehiclePaths {
 
     /** Whether somebody else has just replaced the mission along which it drives. */
     boolean isReplaced(VehicleSnapshot vehicle) {
-        if (isForeign) {
-            isForeign = false;
-            return isTheirs();
-        }
-        if (!store.holds(list)) {
-            watch.forget();
-            return false;
-        }
-        boolean isReplaced = watch.isReplaced(list.orElseThrow().window().size(), vehicle);
-        if (isReplaced) {
-            store.forget(); // whoever commands it: what it reports is no progress along the list
-        }
-        return isReplaced && isTheirs();
-    }
-
-    private boolean isTheirs() {
-        return (isInAuto() || motion.isAside()) && motion.isOrdered();
+        return judged.isReplaced(vehicle);
     }
 
     void tick(long atMs) {
@@ -468,9 +346,9 @@ final class VehiclePaths {
                         along.countFrom(index);
                     } else {
                         along.startAt(index);
-                        trail.restart();
+                        judged.sentElsewhere();
                     }
-                    early.sent();
+                    judged.sent();
                 },
                 () -> broadcast.accept(progress()));
     }
