@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -26,7 +27,8 @@ import org.sami.mavlink.testing.SimulatorTruth;
 
 /**
  * How fast the real firmware truly drives where the parts of a long path meet, and while they are sent, compared with its turns; with {@code -PvehicleMissions},
- * as it takes minutes. The path leads straight where parts meet, so that a turn is not taken for a stop.
+ * as it takes minutes. The path leads straight where parts meet, so that a turn is not taken for a stop; another one leads straight all the way, so that no turn
+ * comes at which a part costs nothing.
  */
 @Timeout(1200)
 class ArduPilotSeamsTest {
@@ -44,6 +46,8 @@ class ArduPilotSeamsTest {
     private static final double REPORT_S = 0.1;
     private static final int BEFORE_ITS_FIRST = 2; // items: home, and the speed
     private static final double MISSION_S = 900;
+    private static final int AHEAD = 720; // locations of the straight path, until two parts more are there
+    private static final double APART_S = 8; // what is slow within that time is one stop
 
     @TempDir
     private Path work;
@@ -53,20 +57,12 @@ class ArduPilotSeamsTest {
         assumeTrue(Boolean.getBoolean("crw.vehicleMissions"), "minutes on real firmware: only with -PvehicleMissions");
         assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
         try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, SPEED, work)) {
-            LinkClient client =
-                    new LinkClient(work.resolve("vehicles"), ArduPilotBoats.address(NUMBER) + "/" + (NUMBER + 1));
+            LinkClient client = linked();
             try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
                 Telemetry at = client.last(Telemetry.class).orElseThrow();
                 LocalFrame start = new LocalFrame(at.latDeg(), at.lonDeg());
-                drive(client, start);
-                Await.until("it has come out", MISSION_S, () -> visited(client) >= 5);
-                int first = truth.samples();
-                Await.until("it is at the end", MISSION_S, () -> visited(client) >= LOCATIONS - 5);
-
-                List<double[]> track = truth.placesFrom(first).stream()
-                        .map(place -> new double[] {start.eastM(place[0], place[1]), start.northM(place[0], place[1])})
-                        .toList();
-                compare(track);
+                drive(client, start, ArduPilotSeamsTest::place);
+                compare(track(client, start, truth, LOCATIONS - 5));
                 assertThat(truth.gap()).isEmpty();
             } finally {
                 client.close();
@@ -74,13 +70,87 @@ class ArduPilotSeamsTest {
         }
     }
 
+    @Test
+    void slowsDownAtMostOnceForEachPartOfAPathWithoutTurns() throws Exception {
+        assumeTrue(Boolean.getBoolean("crw.vehicleMissions"), "minutes on real firmware: only with -PvehicleMissions");
+        assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
+        try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, SPEED, work)) {
+            assertThat(slowOnAStraightPath()).hasSizeLessThanOrEqualTo(2);
+        }
+    }
+
+    /** The lowest speed in half a second of each time at which it was slow, in m/s. */
+    private List<Double> slowOnAStraightPath() throws Exception {
+        LinkClient client = linked();
+        try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
+            Telemetry at = client.last(Telemetry.class).orElseThrow();
+            LocalFrame start = new LocalFrame(at.latDeg(), at.lonDeg());
+            drive(client, start, location -> new double[] {APART_M * location, 10});
+            List<double[]> track = track(client, start, truth, AHEAD);
+            assertThat(truth.gap()).isEmpty();
+            return slowTimes(track);
+        } finally {
+            client.close();
+        }
+    }
+
+    private static List<Double> slowTimes(List<double[]> track) {
+        List<Double> lowest = new ArrayList<>();
+        int before = -1;
+        List<Double> all = new ArrayList<>();
+        for (int i = 0; i + WINDOW < track.size(); i++) {
+            double mps = mps(track.get(i), track.get(i + WINDOW));
+            all.add(mps);
+            if (mps < SLOW_MPS) {
+                if (before < 0 || (i - before) * REPORT_S > APART_S) {
+                    lowest.add(mps);
+                    System.out.printf(Locale.ROOT, "slow after %.1f s, %.0f m east%n", i * REPORT_S, track.get(i)[0]);
+                }
+                lowest.set(lowest.size() - 1, Math.min(mps, lowest.get(lowest.size() - 1)));
+                before = i;
+            }
+        }
+        long stands = all.stream().filter(mps -> mps < STANDS_MPS).count();
+        System.out.printf(
+                Locale.ROOT,
+                "on a straight path of %d locations: lowest speeds %s m/s, usually %.2f m/s, %.1f s below %.1f m/s, %.1f s"
+                        + " below %.1f m/s, %d reports%n",
+                AHEAD,
+                lowest,
+                all.stream().sorted().skip(all.size() / 2).findFirst().orElse(0.0),
+                stands * REPORT_S,
+                STANDS_MPS,
+                all.stream().filter(mps -> mps < SLOW_MPS).count() * REPORT_S,
+                SLOW_MPS,
+                track.size());
+        return lowest;
+    }
+
+    private LinkClient linked() {
+        return new LinkClient(work.resolve("vehicles"), ArduPilotBoats.address(NUMBER) + "/" + (NUMBER + 1));
+    }
+
+    /** Its places from the fifth location to another one: metres east and north. */
+    private static List<double[]> track(LinkClient client, LocalFrame start, SimulatorTruth truth, int to) {
+        Await.until("it has come out", MISSION_S, () -> visited(client) >= 5);
+        int first = truth.samples();
+        Await.until("it is there", MISSION_S, () -> visited(client) >= to);
+        return truth.placesFrom(first).stream()
+                .map(place -> new double[] {start.eastM(place[0], place[1]), start.northM(place[0], place[1])})
+                .toList();
+    }
+
+    private static double mps(double[] from, double[] to) {
+        return Math.hypot(to[0] - from[0], to[1] - from[1]) / (WINDOW * REPORT_S);
+    }
+
     private static int visited(LinkClient client) {
         return client.last(Progress.class).orElseThrow().nextIndex();
     }
 
-    private static void drive(LinkClient client, LocalFrame start) {
+    private static void drive(LinkClient client, LocalFrame start, IntFunction<double[]> places) {
         List<Waypoint> path = IntStream.range(0, LOCATIONS)
-                .mapToObj(ArduPilotSeamsTest::place)
+                .mapToObj(places)
                 .map(place -> new Waypoint(start.latDeg(place[0], place[1]), start.lonDeg(place[0], place[1]), MPS))
                 .toList();
         assertThat(client.ask(new UploadWaypoints("upload", "long", path))).isInstanceOf(Ack.class);
@@ -111,7 +181,7 @@ class ArduPilotSeamsTest {
         for (int i = 0; i + WINDOW < track.size(); i++) {
             double[] now = track.get(i);
             double[] then = track.get(i + WINDOW);
-            double mps = Math.hypot(then[0] - now[0], then[1] - now[1]) / (WINDOW * REPORT_S);
+            double mps = mps(now, then);
             if (isNear(now, turns)) {
                 turned.add(mps);
             } else {
