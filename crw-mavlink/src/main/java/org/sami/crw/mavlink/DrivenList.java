@@ -158,7 +158,7 @@ final class DrivenList {
         isWindowKnown = true;
     }
 
-    /** The vehicle holds all of its part, and the order not to stop at the gate is on its way: it may drive past that before the base has read it back. */
+    /** The next part, and the order not to stop at the gate once the vehicle has taken it, are on their way: it may drive past that before the base has read it back. */
     void opens() {
         isOpening = true;
     }
@@ -166,6 +166,11 @@ final class DrivenList {
     /** The first item to which the vehicle cannot have come. */
     private int reach() {
         return isOpening ? window.to() : window.gate();
+    }
+
+    /** All of it, for a vehicle that has room for it. */
+    MissionWindow whole() {
+        return MissionWindow.whole(items);
     }
 
     /** The part of it that a vehicle needs to drive from a waypoint on. */

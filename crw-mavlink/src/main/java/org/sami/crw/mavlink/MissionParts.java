@@ -1,6 +1,6 @@
 package org.sami.crw.mavlink;
 
-import java.util.Optional;
+import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -10,9 +10,10 @@ import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /**
- * Sends the next part of a long list to the vehicle that drives along it ({@link MissionWindow}): first the items behind the gate, and once they were read back
- * equal, the item that takes the place of the gate, each at a {@link ChangeMoment moment} that costs the vehicle least. A part that could not be sent is tried
- * again, which the operator hears of, and the vehicle stops at the gate at worst. For the gateway's thread.
+ * Sends the next part of a long list to the vehicle that drives along it ({@link MissionWindow}): first the items behind the gate, and once the vehicle has taken
+ * them all, the item that takes the place of the gate; then all is read back. Both come at one {@link ChangeMoment moment} that costs the vehicle least, as it
+ * begins its leg again with each. A part that could not be sent is tried again, which the operator hears of, and the vehicle stops at the gate at worst. For the
+ * gateway's thread.
  */
 final class MissionParts {
     private static final long AGAIN_MS = 1_000;
@@ -24,7 +25,6 @@ final class MissionParts {
     private final BiConsumer<DrivenList, Integer> further;
     private final Consumer<String> alarm;
     private final ChangeMoment moment = new ChangeMoment();
-    private Optional<MissionWindow> written = Optional.empty(); // and read back, its gate still closed
     private String lastFault = "";
     private boolean sending;
     private long notBeforeMs;
@@ -51,7 +51,7 @@ final class MissionParts {
         this.alarm = alarm;
     }
 
-    /** Begins to send the next part of a list, or to open the gate to it, where the vehicle has left enough of the list behind. To be called often. */
+    /** Begins to send the next part of a list where the vehicle has left enough of the list behind. To be called often. */
     void tick(DrivenList list, long atMs) {
         if (sending || atMs < notBeforeMs) {
             return;
@@ -61,25 +61,15 @@ final class MissionParts {
                 .ifPresent(next -> {
                     sending = true;
                     notBeforeMs = atMs + AGAIN_MS;
-                    if (written.filter(part -> part == next).isPresent()) {
-                        list.opens();
-                        send(list, next, next.opened(), () -> opened(list, next));
-                    } else {
-                        list.window(next); // what lies behind the vehicle is given up before it is overwritten
-                        send(list, next, next, () -> written(next));
-                    }
+                    list.window(next); // what lies behind the vehicle is given up before it is overwritten
+                    list.opens();
+                    send(list, next);
                 });
     }
 
     /** Whether a part is on its way; what the vehicle holds is read back at its end. */
     boolean isSending() {
         return sending;
-    }
-
-    private void written(MissionWindow next) {
-        sending = false;
-        notBeforeMs = 0;
-        written = Optional.of(next);
     }
 
     private void opened(DrivenList list, MissionWindow next) {
@@ -90,13 +80,16 @@ final class MissionParts {
     }
 
     /** Only what differs from what the vehicle holds is sent. Where the list has been given another part meanwhile, that one counts. */
-    private void send(DrivenList list, MissionWindow next, MissionWindow part, Runnable then) {
+    private void send(DrivenList list, MissionWindow next) {
         Results.when(
-                base.replace(id, HeldKind.MISSION, part.items()),
+                base.replaceInSteps(
+                        id,
+                        HeldKind.MISSION,
+                        List.of(next.items(), next.opened().items())),
                 thread,
                 there -> {
                     if (isHeld.test(list) && list.window() == next) {
-                        then.run();
+                        opened(list, next);
                     } else {
                         sending = false;
                     }

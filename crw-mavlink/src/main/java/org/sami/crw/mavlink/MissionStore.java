@@ -16,6 +16,7 @@ final class MissionStore {
     /** Why a list is not brought to a vehicle that drives along something else. */
     static final String ANOTHER = "it drives along another mission than it was given";
 
+    private static final String NO_SPACE = "MAV_MISSION_NO_SPACE"; // in the words of a refusal
     private static final int MOST_TRIES = 3;
     private static final int MOST_READS = 30; // a vehicle refuses them while another station sends it a mission
     private static final long READ_AGAIN_MS = 1_000;
@@ -32,6 +33,7 @@ final class MissionStore {
     private final Consumer<DrivenList> replaced;
     private int doubts; // how often it may still be read whether the vehicle holds what it was read to hold
     private boolean isReading;
+    private int tooMany = Integer.MAX_VALUE; // items, for which the vehicle has said that it has no room
     private long readAgainMs;
 
     /**
@@ -105,6 +107,12 @@ final class MissionStore {
         held = Optional.empty();
     }
 
+    /** The autopilot has started again: what it holds is not known any longer, nor for how much it has room. */
+    void restarted() {
+        forget();
+        tooMany = Integer.MAX_VALUE;
+    }
+
     /** Begins to bring a list to the vehicle in place of the one that it holds. */
     void put(DrivenList list) {
         whenReadBack(list, why -> {});
@@ -150,10 +158,13 @@ final class MissionStore {
                 });
     }
 
+    /** All of it where the vehicle has room for that, which it says at once; else its part. */
     private void send(DrivenList list) {
         if (isComing(list)) {
             held = Optional.empty();
-            list.window(list.window()); // this part, whatever an earlier base has brought there
+            MissionWindow part = list.window();
+            boolean isWhole = list.whole().size() < tooMany;
+            list.window(isWhole ? list.whole() : part); // this one, whatever an earlier base has brought there
             Results.when(
                     base.replace(id, HeldKind.MISSION, list.window().items()),
                     thread,
@@ -164,7 +175,19 @@ final class MissionStore {
                             again(list, "vehicle " + id + " holds another mission than was sent");
                         }
                     },
-                    why -> again(list, why));
+                    why -> {
+                        boolean hasNoRoom =
+                                isWhole && part.size() < list.whole().size() && why.contains(NO_SPACE);
+                        if (hasNoRoom) {
+                            tooMany = list.whole().size();
+                        }
+                        list.window(part);
+                        if (hasNoRoom) {
+                            send(list);
+                        } else {
+                            again(list, why);
+                        }
+                    });
         }
     }
 

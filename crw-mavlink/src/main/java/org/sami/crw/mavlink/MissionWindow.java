@@ -8,11 +8,12 @@ import java.util.stream.IntStream;
 import org.sami.mavlink.mission.MissionItem;
 
 /**
- * The part of a list of items that a vehicle holds. A list of at most {@link #MOST_WHOLE} items is held whole, each item in the slot of its number.
+ * The part of a list of items that a vehicle holds. A list of at most {@link #MOST_WHOLE} items is held whole, each item in the slot of its number, and a longer
+ * one too where the vehicle has room for it.
  *
- * <p>A longer one is held in parts, in a ring: home in slot 0, {@link #SLOTS} slots, and behind them a jump back to slot 1. In front of the first item that is
+ * <p>Else a longer one is held in parts, in a ring: home in slot 0, {@link #SLOTS} slots, and behind them a jump back to slot 1. In front of the first item that is
  * not held stands the gate, an item with which the vehicle keeps its place: it never drives into old items. While the vehicle drives, the next {@link #STEP}
- * items are written into slots that it has left behind, with a gate of their own behind them, and only after they were read back equal, the old gate is
+ * items are written into slots that it has left behind, with a gate of their own behind them, and only after the vehicle has taken them all, the old gate is
  * replaced by the item that belongs there. Immutable.
  *
  * <p>Source: ArduPilot's items 17 (keep the place) and 177 (jump, -1 for without end). It goes on along its leg while slots far from the vehicle are written,
@@ -33,6 +34,7 @@ final class MissionWindow {
     private final List<MissionItem> all;
     private final int to;
     private final int gate;
+    private final boolean whole;
 
     /**
      * A part.
@@ -42,9 +44,19 @@ final class MissionWindow {
      * @param gate where the vehicle stops; less than {@code to} while what lies between is being written
      */
     private MissionWindow(List<MissionItem> all, int to, int gate) {
+        this(all, to, gate, all.size() <= MOST_WHOLE);
+    }
+
+    private MissionWindow(List<MissionItem> all, int to, int gate, boolean whole) {
         this.all = all;
         this.to = to;
         this.gate = gate;
+        this.whole = whole;
+    }
+
+    /** All of a list, for a vehicle that has room for it. */
+    static MissionWindow whole(List<MissionItem> all) {
+        return new MissionWindow(all, all.size(), all.size(), true);
     }
 
     /** The part to hold for a vehicle that drives to an item. */
@@ -63,6 +75,9 @@ final class MissionWindow {
      * @param hint the end of the part that it was last known to hold: of a list that leads twice along the same places the first that fits from there on counts
      */
     static Optional<MissionWindow> found(List<MissionItem> all, List<MissionItem> held, int hint) {
+        if (whole(all).isHeld(held)) {
+            return Optional.of(whole(all));
+        }
         MissionWindow first = of(all, 1);
         int least = hint > first.to && (hint % STEP == 0 || hint == all.size()) && hint <= all.size() ? hint : first.to;
         List<MissionWindow> ends = new ArrayList<>();
@@ -93,13 +108,9 @@ final class MissionWindow {
         return new MissionWindow(all, Math.min(to + STEP, all.size()), to);
     }
 
-    private boolean isWhole() {
-        return all.size() <= MOST_WHOLE;
-    }
-
     /** The first item that is held. */
     private int from() {
-        return isWhole() ? 1 : to == all.size() ? to - SLOTS : to - SLOTS + 1;
+        return whole ? 1 : to == all.size() ? to - SLOTS : to - SLOTS + 1;
     }
 
     /** The first item that is not held, or the size of the list. */
@@ -114,12 +125,12 @@ final class MissionWindow {
 
     /** The slot in which an item is held. */
     int slot(int item) {
-        return isWhole() ? item : (item - 1) % SLOTS + 1;
+        return whole ? item : (item - 1) % SLOTS + 1;
     }
 
     /** The item that is held in a slot; the gate's number where that stands there, 0 for home and the jump. */
     int item(int slot) {
-        if (isWhole()) {
+        if (whole) {
             return slot;
         }
         return slot < 1 || slot > SLOTS ? 0 : from() + Math.floorMod(slot - slot(from()), SLOTS);
@@ -150,12 +161,12 @@ final class MissionWindow {
 
     /** How many items the mission of the vehicle has, home included. */
     int size() {
-        return isWhole() ? all.size() : SLOTS + 2;
+        return whole ? all.size() : SLOTS + 2;
     }
 
     /** The mission that the vehicle is to hold, home first. */
     List<MissionItem> items() {
-        if (isWhole()) {
+        if (whole) {
             return all;
         }
         List<MissionItem> slots = new ArrayList<>(Collections.nCopies(size(), all.get(0)));
@@ -187,7 +198,7 @@ final class MissionWindow {
         if (held.size() != items.size()) {
             return false;
         }
-        if (isWhole()) {
+        if (whole) {
             return IntStream.range(1, items.size())
                     .allMatch(slot -> items.get(slot).isSameAs(held.get(slot)));
         }

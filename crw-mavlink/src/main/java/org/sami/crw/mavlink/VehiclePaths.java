@@ -213,7 +213,7 @@ final class VehiclePaths {
 
     /** Its autopilot has started again. Its list is kept. */
     void restarted() {
-        store.forget();
+        store.restarted();
     }
 
     // ---- what is asked

@@ -47,7 +47,7 @@ class ArduPilotSeamsTest {
     private static final int BEFORE_ITS_FIRST = 2; // items: home, and the speed
     private static final double MISSION_S = 900;
     private static final int AHEAD = 720; // locations of the straight path, until two parts more are there
-    private static final double APART_S = 8; // what is slow within that time is one stop
+    private static final double APART_S = 2; // what is slow within that time is one stop
 
     @TempDir
     private Path work;
@@ -76,6 +76,16 @@ class ArduPilotSeamsTest {
         assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
         try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, SPEED, work)) {
             assertThat(slowOnAStraightPath()).hasSizeLessThanOrEqualTo(2);
+        }
+    }
+
+    /** ArduPilot with a memory card for more than 4,300 items. */
+    @Test
+    void neverSlowsDownWhereItHoldsTheWholePath() throws Exception {
+        assumeTrue(Boolean.getBoolean("crw.vehicleMissions"), "minutes on real firmware: only with -PvehicleMissions");
+        assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
+        try (ArduPilotBoats boats = ArduPilotBoats.with("BRD_SD_MISSION 64\n", NUMBER, 1, SPEED, work)) {
+            assertThat(slowOnAStraightPath()).isEmpty();
         }
     }
 

@@ -129,6 +129,30 @@ class LongPathTest {
         assertThat(boat.restarts()).as("changes of its mission under way").hasSizeLessThan(60);
     }
 
+    @Test
+    void isHeldWholeByAVehicleThatHasRoomForItAlsoAfterABaseThatDied() {
+        boat.mission().room(HALF.size() + 10);
+        start();
+        untilPassed(300);
+        client.close();
+        int alone = boat.mission().visited().size();
+        Await.until(
+                "it drives on past where a part would end",
+                WAIT_S,
+                () -> boat.mission().visited().size() > Math.max(alone, MissionWindow.SLOTS + 50));
+
+        client = new LinkClient(folder, boat.address() + "/5");
+        assertThat(client.ask(new ReadBack("read again"))).isInstanceOf(HeldWaypoints.class);
+        assertThat(client.ask(new StartWaypoints("start again", "long", next())))
+                .isInstanceOf(Ack.class);
+
+        arrives();
+        assertThat(boat.mission().uploads()).isEqualTo(1);
+        assertThat(boat.restarts()).as("changes of its mission under way").isEmpty();
+        assertThat(boat.mission().stops()).isZero();
+        assertThat(boat.armings()).isEqualTo(1);
+    }
+
     /** Rows of 110 waypoints, so that it comes to a turn well before its part ends. */
     @Test
     void partsAreSentAtTurnsWhereItIsSlowInAnyCase() {

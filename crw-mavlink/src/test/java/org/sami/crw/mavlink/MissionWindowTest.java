@@ -50,6 +50,20 @@ class MissionWindowTest {
         assertThat(window.next(600)).isEmpty();
     }
 
+    @Test
+    void longListIsHeldWholeWhereThereIsRoom() {
+        List<MissionItem> all = list(LONG);
+        MissionWindow window = MissionWindow.whole(all);
+
+        assertThat(window.items()).isEqualTo(all);
+        assertThat(window.slot(1_300)).isEqualTo(1_300);
+        assertThat(window.item(1_300)).isEqualTo(1_300);
+        assertThat(window.has(1)).isTrue();
+        assertThat(window.has(LONG - 1)).isTrue();
+        assertThat(window.next(1_300)).isEmpty();
+        assertThat(MissionWindow.found(all, all, 0).orElseThrow().size()).isEqualTo(LONG);
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {603, 700, 801, 1_000, 1_001, LONG, 20_002})
     void vehiclePassesEachItemOnceThroughAllParts(int size) {

@@ -125,7 +125,18 @@ public final class MavlinkBase implements AutoCloseable {
      * @return what was read back, which is equal; fails with an {@link IllegalStateException} whose message says in words what went wrong
      */
     public CompletableFuture<List<MissionItem>> replace(VehicleId vehicle, HeldKind kind, List<MissionItem> items) {
-        List<MissionItem> copy = List.copyOf(items);
+        return replaceInSteps(vehicle, kind, List.of(items));
+    }
+
+    /**
+     * The same in steps: each list is sent only once the vehicle has taken the one before, whatever comes between; the last one is read back. So a vehicle whose
+     * link is lost holds at each moment what follows from a part of the steps in their order.
+     *
+     * @param lists one at least
+     */
+    public CompletableFuture<List<MissionItem>> replaceInSteps(
+            VehicleId vehicle, HeldKind kind, List<List<MissionItem>> lists) {
+        List<List<MissionItem>> copy = lists.stream().map(List::copyOf).toList();
         return on(() -> requests.replace(vehicle, kind, copy));
     }
 

@@ -63,10 +63,10 @@ final class VehicleRequests {
         return result;
     }
 
-    /** Replaces a list that a vehicle holds, after the transfers that were asked for before, and reads it back. */
-    CompletableFuture<List<MissionItem>> replace(VehicleId vehicle, HeldKind kind, List<MissionItem> items) {
+    /** Replaces a list that a vehicle holds, in steps where there are several, after the transfers that were asked for before, and reads it back. */
+    CompletableFuture<List<MissionItem>> replace(VehicleId vehicle, HeldKind kind, List<List<MissionItem>> lists) {
         CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
-        of(vehicle).lists().replace(kind, items, nowMs.getAsLong(), result);
+        of(vehicle).lists().replace(kind, lists, nowMs.getAsLong(), result);
         moveLists();
         return result;
     }

@@ -58,11 +58,11 @@ public final class HeldLists {
         add(new Waiting(kind, () -> new ListDownload(vehicle, kind, send), result), nowMs);
     }
 
-    /** Replaces a list; the result is what was read back. */
+    /** Replaces a list, in steps where there are several ({@link ListReplacement}); the result is what was read back. */
     public void replace(
-            HeldKind kind, List<MissionItem> items, long nowMs, CompletableFuture<List<MissionItem>> result) {
+            HeldKind kind, List<List<MissionItem>> lists, long nowMs, CompletableFuture<List<MissionItem>> result) {
         Supplier<ListTransfer> maker =
-                () -> new ListReplacement(vehicle, kind, items, Optional.ofNullable(known.get(kind)), send);
+                () -> new ListReplacement(vehicle, kind, lists, Optional.ofNullable(known.get(kind)), send);
         add(new Waiting(kind, maker, result), nowMs);
     }
 

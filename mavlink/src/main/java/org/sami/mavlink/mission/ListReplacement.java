@@ -1,5 +1,7 @@
 package org.sami.mavlink.mission;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -10,14 +12,18 @@ import org.sami.mavlink.vehicle.VehicleId;
 /**
  * Replaces a list that a vehicle holds, and reads it back: only a list that came back equal counts. Where it is known what the vehicle holds and only a part of
  * it differs, that part is sent alone. A list that comes back different is sent again, whole.
+ *
+ * <p>It may be replaced in steps, each a list: the next one is sent once the vehicle has said that it has taken the one before, or has been read to hold it; the
+ * last one is read back.
  */
 public final class ListReplacement extends AbstractListTransfer {
     private static final int ROUNDS = 3;
 
     private final VehicleId vehicle;
     private final HeldKind kind;
-    private final List<MissionItem> items;
+    private final Deque<List<MissionItem>> later = new ArrayDeque<>(); // the lists of the steps after this one
     private final Consumer<Object> send;
+    private List<MissionItem> items;
     private List<MissionItem> readBack = List.of();
     private int rounds = 1;
     private ListTransfer step;
@@ -25,22 +31,27 @@ public final class ListReplacement extends AbstractListTransfer {
     /**
      * A transfer that is not begun yet.
      *
-     * @param items the new list, numbered from 0 in its order. Item 0 of a mission is the vehicle's home, which it keeps as it is
+     * @param lists the new list, numbered from 0 in its order, after those of the steps before. Item 0 of a mission is the vehicle's home, which it keeps as it is
      * @param known what the vehicle held when it was read last; empty where it was not
      */
     public ListReplacement(
             VehicleId vehicle,
             HeldKind kind,
-            List<MissionItem> items,
+            List<List<MissionItem>> lists,
             Optional<List<MissionItem>> known,
             Consumer<Object> send) {
         this.vehicle = Objects.requireNonNull(vehicle, "vehicle");
         this.kind = Objects.requireNonNull(kind, "kind");
-        this.items = IntStream.range(0, items.size())
+        this.send = Objects.requireNonNull(send, "send");
+        lists.stream().map(ListReplacement::numbered).forEach(later::addLast);
+        items = later.removeFirst();
+        step = known.flatMap(this::part).orElseGet(this::whole);
+    }
+
+    private static List<MissionItem> numbered(List<MissionItem> items) {
+        return IntStream.range(0, items.size())
                 .mapToObj(i -> items.get(i).at(i))
                 .toList();
-        this.send = Objects.requireNonNull(send, "send");
-        step = known.flatMap(this::part).orElseGet(this::whole);
     }
 
     private ListTransfer whole() {
@@ -97,9 +108,20 @@ public final class ListReplacement extends AbstractListTransfer {
             again(step.failure().get(), wasPart, nowMs);
         } else if (step instanceof ListDownload download) {
             readBack = download.items();
-            difference().ifPresentOrElse(why -> again(why, true, nowMs), this::succeed);
+            difference().ifPresentOrElse(why -> again(why, true, nowMs), () -> isHeld(readBack, nowMs));
+        } else if (!later.isEmpty() && step instanceof ListUpload upload && upload.isTaken()) {
+            isHeld(items, nowMs);
         } else {
             next(new ListDownload(vehicle, kind, send), nowMs);
+        }
+    }
+
+    private void isHeld(List<MissionItem> held, long nowMs) {
+        if (later.isEmpty()) {
+            succeed();
+        } else {
+            items = later.removeFirst();
+            next(part(held).orElseGet(this::whole), nowMs);
         }
     }
 

@@ -19,8 +19,9 @@ import org.sami.mavlink.vehicle.VehicleId;
  * That it ended well says only that the vehicle took the last item; what it holds is read back ({@link ListReplacement}).
  *
  * <p>Source: the mission protocol of MAVLink's documentation. Differs from it: where the vehicle's next question is overdue, the items that it must want next
- * are sent without one. Autopilots ask again only after a second, and ignore items that they did not expect. Of a part, up to {@link #AHEAD} items are sent
- * before they are asked for, until one is lost: an autopilot that drives along the list begins its leg again with each of its rounds in which an item comes.
+ * are sent without one. Autopilots ask again only after a second, and ignore items that they did not expect. Of a part, and of a list of more than {@link #MANY},
+ * up to {@link #AHEAD} items are sent before they are asked for, until one is lost: an autopilot that drives along the list begins its leg again with each of its
+ * rounds in which an item comes, and asks for 50 items a second at most.
  */
 final class ListUpload extends AbstractListTransfer {
     private static final int TRIES = 8; // to say how many there are
@@ -28,6 +29,7 @@ final class ListUpload extends AbstractListTransfer {
     private static final int ROUNDS = 4;
     private static final long SILENCE_MS = 10_000; // the vehicle gives up after 8 s itself
     private static final int MOST_PUSHED = 6;
+    private static final int MANY = 600;
     private static final int AHEAD = 60; // 3 kB, which fit into the buffer of a port
     private static final long HASTE_WAIT_MS = 500; // what it wants is on its way already
     private static final double NEW_PART = 0.1;
@@ -41,6 +43,7 @@ final class ListUpload extends AbstractListTransfer {
     private final int to;
     private final Consumer<Object> send;
     private final AnswerTime time = new AnswerTime();
+    private boolean taken;
     private int rounds;
     private boolean hastens; // sends before it is asked
     private Optional<String> notReady = Optional.empty();
@@ -71,7 +74,7 @@ final class ListUpload extends AbstractListTransfer {
     @Override
     public void begin(long nowMs) {
         rounds++;
-        hastens = rounds == 1 && !isWhole();
+        hastens = rounds == 1 && (!isWhole() || items.size() > MANY);
         tries = 0;
         asked = from - 1;
         sent = from - 1;
@@ -194,6 +197,7 @@ final class ListUpload extends AbstractListTransfer {
         boolean allSent = sent == to - 1;
         if (what == MavMissionResult.MAV_MISSION_ACCEPTED) {
             if (allSent) { // otherwise of an earlier transfer
+                taken = true;
                 succeed();
             }
         } else if (what == MavMissionResult.MAV_MISSION_INVALID_SEQUENCE) {
@@ -212,6 +216,11 @@ final class ListUpload extends AbstractListTransfer {
                 fail(refusal);
             }
         }
+    }
+
+    /** Whether the vehicle has said that it has taken the last item, before which it takes those before that one. */
+    boolean isTaken() {
+        return taken;
     }
 
     /** The item that the vehicle refused, and its position; empty where it refused the list before the first item. */

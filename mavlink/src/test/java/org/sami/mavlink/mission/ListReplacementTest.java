@@ -3,6 +3,7 @@ package org.sami.mavlink.mission;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.dronefleet.mavlink.common.MissionItemInt;
+import io.dronefleet.mavlink.common.MissionRequestList;
 import io.dronefleet.mavlink.common.MissionWritePartialList;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -13,6 +14,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.mavlink.onboard.ListKeeper;
 import org.sami.mavlink.onboard.OnboardLists;
 import org.sami.mavlink.testing.BadRadio;
@@ -61,14 +63,18 @@ class ListReplacementTest {
 
     private CompletableFuture<List<MissionItem>> replace(HeldKind kind, List<MissionItem> items) {
         CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
-        lists.replace(kind, items, nowMs, result);
+        lists.replace(kind, List.of(items), nowMs, result);
         return result;
     }
 
     /** How long it took. */
     private long passUntilDone(CompletableFuture<?> result) {
+        return passUntilDone(result, 300_000);
+    }
+
+    private long passUntilDone(CompletableFuture<?> result, long mostMs) {
         long began = nowMs;
-        while (!result.isDone() && nowMs < began + 300_000) {
+        while (!result.isDone() && nowMs < began + mostMs) {
             nowMs++;
             up.arrived(nowMs).forEach(message -> vehicle.take(STATION, message, nowMs));
             vehicle.tick(nowMs);
@@ -124,6 +130,69 @@ class ListReplacementTest {
                 .filteredOn(MissionItemInt.class::isInstance)
                 .extracting(item -> ((MissionItemInt) item).seq())
                 .containsExactly(40, 41, 42);
+    }
+
+    /** The new part of a list, and then one item before it. */
+    private static List<List<MissionItem>> steps() {
+        List<MissionItem> first = new ArrayList<>(mission(400));
+        IntStream.range(200, 300).forEach(i -> first.set(i, MissionItem.waypoint(i, 45.8 + i * 1e-5, 10.8, 0, 0)));
+        List<MissionItem> second = new ArrayList<>(first);
+        second.set(199, MissionItem.waypoint(199, 45.8, 10.9, 0, 0));
+        return List.of(first, second);
+    }
+
+    private CompletableFuture<List<MissionItem>> replaceInSteps() {
+        CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
+        lists.replace(HeldKind.MISSION, steps(), nowMs, result);
+        return result;
+    }
+
+    @Test
+    void stepsFollowOneAnotherAndAreReadBackOnce() {
+        passUntilDone(replace(HeldKind.MISSION, mission(400)));
+        sent.clear();
+        var result = replaceInSteps();
+        passUntilDone(result);
+
+        assertThat(result).isCompletedWithValue(steps().get(1));
+        assertThat(sent).filteredOn(MissionRequestList.class::isInstance).hasSize(1);
+        assertThat(sent).filteredOn(MissionWritePartialList.class::isInstance).hasSize(2);
+        assertThat(sent)
+                .filteredOn(MissionItemInt.class::isInstance)
+                .last()
+                .extracting(item -> ((MissionItemInt) item).seq())
+                .isEqualTo(199);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.05, 0.2})
+    void vehicleHasTakenAStepBeforeTheNextOneBeginsHoweverBadTheRadioIs(double loss) {
+        for (int seed = 0; seed < 8; seed++) {
+            up = new BadRadio<>(seed, loss, loss, 1, 8);
+            down = new BadRadio<>(1_000 + seed, loss, loss, 1, 8);
+            vehicle = vehicle(650);
+            lists.forget();
+            passUntilDone(replace(HeldKind.MISSION, mission(400)));
+            var result = replaceInSteps();
+            while (!result.isDone()) {
+                passUntilDone(result, 10);
+                List<MissionItem> held = vehicle.held(HeldKind.MISSION);
+                if (held.get(199).isSameAs(steps().get(1).get(199))) {
+                    assertThat(held).as("seed %d", seed).isEqualTo(steps().get(1));
+                }
+            }
+            assertThat(result).isCompletedWithValue(steps().get(1));
+        }
+    }
+
+    @Test
+    void longListIsSentBeforeItIsAskedFor() {
+        vehicle = vehicle(3_000);
+        var result = replace(HeldKind.MISSION, mission(2_000));
+        long tookMs = passUntilDone(result);
+
+        assertThat(result).isCompletedWithValue(mission(2_000));
+        assertThat(tookMs).isLessThan(2_000 * (2 * PACE_MS + 2));
     }
 
     @Test
@@ -238,7 +307,7 @@ class ListReplacementTest {
 
     @Test
     void vehicleThatKeepsSomethingElseIsNotTrusted() {
-        lists.replace(HeldKind.MISSION, mission(3), nowMs, new CompletableFuture<>());
+        lists.replace(HeldKind.MISSION, List.of(mission(3)), nowMs, new CompletableFuture<>());
         lists.close();
         BadRadio<Object> honest = up;
         HeldLists other = new HeldLists(
@@ -249,7 +318,7 @@ class ListReplacementTest {
                                 : message,
                         nowMs));
         CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
-        other.replace(HeldKind.MISSION, mission(5), nowMs, result);
+        other.replace(HeldKind.MISSION, List.of(mission(5)), nowMs, result);
         while (!result.isDone() && nowMs < 60_000) {
             nowMs++;
             up.arrived(nowMs).forEach(message -> vehicle.take(STATION, message, nowMs));

@@ -27,7 +27,7 @@ public final class SmallBoatMission {
     private static final int KEEP_PLACE = 17;
     private static final int JUMP = 177;
     private static final int CHANGE_SPEED = 178;
-    private static final int MOST_ITEMS = 650;
+    private static final int USUAL_ROOM = 650;
     private static final int NO_ITEMS = 65_535;
 
     private final VehicleId vehicle;
@@ -39,6 +39,7 @@ public final class SmallBoatMission {
     private boolean isChanged; // since the last step
     private boolean isAsking; // for the next item of a part
     private boolean refuses;
+    private int room = USUAL_ROOM;
     private int uploads;
     private int current;
     private boolean waits;
@@ -62,6 +63,11 @@ public final class SmallBoatMission {
     /** It refuses each mission, and each part of one, from now on, or no longer. */
     public synchronized void refuse(boolean now) {
         refuses = now;
+    }
+
+    /** It has room for that many items from now on, home included: an autopilot with a memory card. */
+    public synchronized void room(int items) {
+        room = items;
     }
 
     /** Somebody else has given it this mission, home first. */
@@ -165,7 +171,7 @@ public final class SmallBoatMission {
         } else if (message instanceof MissionRequestInt asked && asked.seq() < items.size()) {
             return List.of(items.get(asked.seq()));
         } else if (message instanceof MissionCount count && isMission(count.missionType())) {
-            if (refuses || count.count() > MOST_ITEMS) {
+            if (refuses || count.count() > room) {
                 return List.of(ack(MavMissionResult.MAV_MISSION_NO_SPACE));
             }
             return comes(new ArrayList<>(), 0, count.count() - 1);
