@@ -173,9 +173,9 @@ final class DrivenList {
         return MissionWindow.whole(items);
     }
 
-    /** The part of it that a vehicle needs to drive from a waypoint on. */
+    /** The part of it that a vehicle needs to drive from a waypoint on, or from its end. */
     MissionWindow windowFrom(int waypoint) {
-        return MissionWindow.of(items, itemOf.get(waypoint));
+        return MissionWindow.of(items, itemOf.get(Math.min(waypoint, itemOf.size() - 1)));
     }
 
     /** Whether the vehicle can drive to a waypoint with the part that it holds. */

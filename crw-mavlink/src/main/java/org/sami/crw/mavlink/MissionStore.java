@@ -17,6 +17,8 @@ final class MissionStore {
     static final String ANOTHER = "it drives along another mission than it was given";
 
     private static final String NO_SPACE = "MAV_MISSION_NO_SPACE"; // in the words of a refusal
+    private static final int MOST_OFFERED =
+            2_500; // items, which a network brings and reads back well before a base gives up waiting, after 20 s
     private static final int MOST_TRIES = 3;
     private static final int MOST_READS = 30; // a vehicle refuses them while another station sends it a mission
     private static final long READ_AGAIN_MS = 1_000;
@@ -25,6 +27,7 @@ final class MissionStore {
     private final VehicleId id;
     private final Executor thread;
     private final BooleanSupplier drives;
+    private final BooleanSupplier isOnNetwork;
     private final MissionParts parts;
     private Optional<DrivenList> held = Optional.empty(); // read back equal
     private Optional<DrivenList> coming = Optional.empty();
@@ -40,6 +43,7 @@ final class MissionStore {
      * Nothing is known to be held.
      *
      * @param drives whether the vehicle drives along its mission now
+     * @param isOnNetwork whether it is reached by networks only, which bring a long list in seconds
      * @param further called when the vehicle holds a further part of a list, with the item at which it had to stop before
      * @param replaced called when the vehicle is read to hold another mission than the list that it held
      * @param alarm receives faults, in words for the operator
@@ -49,6 +53,7 @@ final class MissionStore {
             VehicleId id,
             Executor thread,
             BooleanSupplier drives,
+            BooleanSupplier isOnNetwork,
             BiConsumer<DrivenList, Integer> further,
             Consumer<DrivenList> replaced,
             Consumer<String> alarm) {
@@ -56,6 +61,7 @@ final class MissionStore {
         this.id = id;
         this.thread = thread;
         this.drives = drives;
+        this.isOnNetwork = isOnNetwork;
         this.replaced = replaced;
         parts = new MissionParts(base, id, thread, list -> holds(Optional.of(list)), further, alarm);
     }
@@ -158,13 +164,13 @@ final class MissionStore {
                 });
     }
 
-    /** All of it where the vehicle has room for that, which it says at once; else its part. */
+    /** All of it where the vehicle has room for that, and says so at once; else its part. */
     private void send(DrivenList list) {
         if (isComing(list)) {
             held = Optional.empty();
             MissionWindow part = list.window();
-            boolean isWhole = list.whole().size() < tooMany;
-            list.window(isWhole ? list.whole() : part); // this one, whatever an earlier base has brought there
+            boolean isOffered = isOffered(list.whole().size());
+            list.window(isOffered ? list.whole() : part); // this one, whatever an earlier base has brought there
             Results.when(
                     base.replace(id, HeldKind.MISSION, list.window().items()),
                     thread,
@@ -176,19 +182,23 @@ final class MissionStore {
                         }
                     },
                     why -> {
-                        boolean hasNoRoom =
-                                isWhole && part.size() < list.whole().size() && why.contains(NO_SPACE);
-                        if (hasNoRoom) {
+                        if (isOffered && why.contains(NO_SPACE)) {
                             tooMany = list.whole().size();
-                        }
-                        list.window(part);
-                        if (hasNoRoom) {
+                            list.window(part.size() < tooMany ? part : list.windowFrom(list.next()));
                             send(list);
                         } else {
+                            list.window(part);
                             again(list, why);
                         }
                     });
         }
+    }
+
+    private boolean isOffered(int items) {
+        return items > MissionWindow.MOST_WHOLE
+                && items <= MOST_OFFERED
+                && items < tooMany
+                && isOnNetwork.getAsBoolean();
     }
 
     private void again(DrivenList list, String why) {

@@ -15,6 +15,7 @@ import org.sami.boat.link.Progress;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
+import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.vehicle.StatusText;
@@ -57,13 +58,24 @@ final class VehiclePaths {
         this.broadcast = broadcast;
         this.changed = changed;
         store = new MissionStore(
-                base, motion.vehicle().id(), thread, this::isInAuto, this::further, held -> another(), alarm);
+                base,
+                motion.vehicle().id(),
+                thread,
+                this::isInAuto,
+                this::isOnNetwork,
+                this::further,
+                held -> another(),
+                alarm);
         judged = new MissionProgress(motion, store, () -> list, radiusM, this::progressed, alarm);
         list = kept.list().map(upload -> DrivenList.kept(upload, kept.heldTo(), kept.next(), motion.flies()));
     }
 
     private boolean isInAuto() {
         return motion.vehicle().armed() && motion.vehicle().mode().equals(VehicleMotion.AUTO);
+    }
+
+    private boolean isOnNetwork() {
+        return motion.vehicle().links().stream().noneMatch(MavlinkAddress.Serial.class::isInstance);
     }
 
     // ---- how far it is

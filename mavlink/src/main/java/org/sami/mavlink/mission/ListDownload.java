@@ -19,12 +19,15 @@ import org.sami.mavlink.vehicle.VehicleId;
 /**
  * Reads one list that a vehicle holds, by the mission protocol: asks how many items there are, then for a few at a time, and again for what does not come.
  *
- * <p>Source: the mission protocol of MAVLink's documentation. Differs from it: several items are asked for ahead of their answers, as each answer names its item.
+ * <p>Source: the mission protocol of MAVLink's documentation. Differs from it: several items are asked for ahead of their answers, as each answer names its item. Of a
+ * list of more than {@link #MANY}, which only autopilots with a memory card hold, more and more, until one is lost.
  */
 public final class ListDownload extends AbstractListTransfer {
     private static final int TRIES = 8; // to ask how many there are
     private static final long SILENCE_MS = 8_000;
     private static final int AHEAD = 5;
+    private static final int MANY = 650;
+    private static final int MOST_AHEAD = 30;
     private static final int MOST_ITEMS = 10_000; // more fits into no autopilot
 
     private final VehicleId vehicle;
@@ -35,6 +38,7 @@ public final class ListDownload extends AbstractListTransfer {
     private final TreeMap<Integer, Asked> open = new TreeMap<>();
     private Optional<Integer> count = Optional.empty();
     private int tries;
+    private int ahead = AHEAD;
     private int unasked; // the first item that was never asked for
     private long askedMs;
     private long progressMs;
@@ -77,6 +81,7 @@ public final class ListDownload extends AbstractListTransfer {
             for (Map.Entry<Integer, Asked> each : List.copyOf(open.entrySet())) {
                 Asked asked = each.getValue();
                 if (nowMs >= asked.atMs() + time.waitMs(asked.tries() - 1)) {
+                    ahead = AHEAD;
                     ask(each.getKey(), asked.tries() + 1, nowMs);
                 }
             }
@@ -121,6 +126,7 @@ public final class ListDownload extends AbstractListTransfer {
             if (asked != null) {
                 if (asked.tries() == 1) {
                     time.answered(nowMs - asked.atMs());
+                    ahead = count.orElse(0) > MANY ? Math.min(MOST_AHEAD, ahead + 1) : AHEAD;
                 }
                 came(item, nowMs);
             }
@@ -172,7 +178,7 @@ public final class ListDownload extends AbstractListTransfer {
                     .build());
             return;
         }
-        while (unasked < all && open.size() < AHEAD) {
+        while (unasked < all && open.size() < ahead) {
             ask(unasked, 1, nowMs);
             unasked++;
         }

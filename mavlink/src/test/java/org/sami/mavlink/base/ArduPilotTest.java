@@ -30,6 +30,8 @@ class ArduPilotTest {
     private static final int FIRST = 96; // far from where somebody tries one by hand
     private static final double BOOT_S = 180;
     private static final int ITEMS = 100;
+    private static final int MOST_WITH_A_CARD = 4_300;
+    private static final double BASE_WAITS_S = 20; // for an answer of a boat
 
     @TempDir
     private Path work;
@@ -78,18 +80,55 @@ class ArduPilotTest {
                         () -> vehicles(base).stream().anyMatch(VehicleSnapshot::located));
                 VehicleId id = vehicles(base).get(0).id();
                 proxy.disturb(0.05, 0.05, 10);
-                List<MissionItem> mission = IntStream.range(0, ITEMS)
-                        .mapToObj(i -> MissionItem.waypoint(i, 45.7 + i * 1e-5, 10.72, 0, 0))
-                        .toList();
-
                 List<MissionItem> back =
-                        base.replace(id, HeldKind.MISSION, mission).join();
-                assertThat(back.subList(1, ITEMS)).isEqualTo(mission.subList(1, ITEMS));
+                        base.replace(id, HeldKind.MISSION, mission(ITEMS)).join();
+                assertThat(back.subList(1, ITEMS)).isEqualTo(mission(ITEMS).subList(1, ITEMS));
                 assertThat(base.setMode(id, "AUTO").join().inWords()).contains("accepts to change to AUTO");
             } finally {
                 end(boat);
             }
         }
+    }
+
+    /** At the speed of real time. */
+    @Test
+    void boatWithAMemoryCardTakesALongMissionInSeconds() throws Exception {
+        assumeTrue(
+                Files.isExecutable(PEERS.resolve("run.sh")),
+                () -> "no autopilot is here to try: " + PEERS.toAbsolutePath().normalize() + " is missing");
+        Path card = Files.writeString(work.resolve("card.parm"), "BRD_SD_MISSION 64\n");
+        Process boat = start("boat", FIRST + 3, "1", Map.of("PARAMS", card.toString()));
+        try (MavlinkBase base = new MavlinkBase(List.of(address(FIRST + 3)), ProcessClock::ms)) {
+            Await.until("it is heard", BOOT_S, () -> !vehicles(base).isEmpty());
+            VehicleId id = vehicles(base).get(0).id();
+            Await.until("it has started", BOOT_S, () -> isTaken(base, id, mission(ITEMS)));
+
+            long began = ProcessClock.ms();
+            base.replace(id, HeldKind.MISSION, mission(2_000)).join();
+            long replaced = ProcessClock.ms();
+            base.held(id, HeldKind.MISSION).join();
+            System.out.printf(
+                    "2000 items sent and read back in %d ms, read in %d ms%n",
+                    replaced - began, ProcessClock.ms() - replaced);
+
+            assertThat((replaced - began) / 1000.0).isLessThan(BASE_WAITS_S);
+            assertThat(isTaken(base, id, mission(MOST_WITH_A_CARD))).isTrue();
+            assertThat(isTaken(base, id, mission(MOST_WITH_A_CARD + ITEMS))).isFalse();
+        } finally {
+            end(boat);
+        }
+    }
+
+    private static boolean isTaken(MavlinkBase base, VehicleId id, List<MissionItem> mission) {
+        return base.replace(id, HeldKind.MISSION, mission)
+                .handle((back, failure) -> failure == null)
+                .join();
+    }
+
+    private static List<MissionItem> mission(int items) {
+        return IntStream.range(0, items)
+                .mapToObj(i -> MissionItem.waypoint(i, 45.7 + i * 1e-5, 10.72, 0, 0))
+                .toList();
     }
 
     private static MavlinkAddress address(int number) {
@@ -105,7 +144,11 @@ class ArduPilotTest {
     }
 
     private Process start(String kind, int number, Map<String, String> more) throws Exception {
-        ProcessBuilder builder = new ProcessBuilder("bash", "run.sh", kind, "1", "10")
+        return start(kind, number, "10", more);
+    }
+
+    private Process start(String kind, int number, String speed, Map<String, String> more) throws Exception {
+        ProcessBuilder builder = new ProcessBuilder("bash", "run.sh", kind, "1", speed)
                 .directory(PEERS.toFile())
                 .redirectErrorStream(true)
                 .redirectOutput(new File(work.toFile(), kind + ".txt"));
