@@ -97,7 +97,7 @@ final class GenericOptions {
                         s.isOf(TokenKind.SUB_MISSION_TOKENS) && possible.makes(s.requirement(), t, PlanToken.GENERIC));
         for (int any = 0; any <= mixed; any++) {
             for (int back = 0; back <= returned; back++) {
-                for (int made = 0; made <= (isMade ? 1 : 0); made++) {
+                for (int made = 0; made <= (isMade ? followed + 1 : 0); made++) {
                     options.add(option(counts, isCounted, isExact, any, back, made));
                 }
             }
@@ -107,6 +107,9 @@ final class GenericOptions {
     private GenericOption option(int[] counts, boolean isCounted, boolean isExact, int any, int back, int made) {
         GenericOption option = new GenericOption();
         option.returned = back + made;
+        if (made > followed) {
+            option.arcs.set(beyond);
+        }
         int here = Arrays.stream(counts).sum();
         boolean isOne = !possible.isCopied(PlanToken.GENERIC);
         for (int i = 0; i < counts.length && isCounted; i++) {

@@ -1,7 +1,6 @@
 package org.sami.spn.plannet;
 
 import java.util.Collection;
-import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -27,7 +26,7 @@ import org.sami.spn.vocabulary.Vocabulary;
  * numbers. Immutable.
  */
 final class PossibleTokens implements TokenWays {
-    private final Project project;
+    private final MadeByChildren made;
     private final Plan plan;
     private final Vocabulary vocabulary;
     private final Map<String, Set<PlanToken>> at = new HashMap<>();
@@ -56,7 +55,7 @@ final class PossibleTokens implements TokenWays {
             Collection<PlanToken> all,
             Predicate<PlanToken> atStart,
             Predicate<PlanToken> several) {
-        this.project = project;
+        made = new MadeByChildren(project, vocabulary);
         this.vocabulary = vocabulary;
         this.plan = plan;
         modes = Map.of();
@@ -87,7 +86,7 @@ final class PossibleTokens implements TokenWays {
     }
 
     private PossibleTokens(PossibleTokens of, Map<String, SubMode> modes) {
-        project = of.project;
+        made = of.made;
         vocabulary = of.vocabulary;
         plan = of.plan;
         at.putAll(of.at);
@@ -136,7 +135,8 @@ final class PossibleTokens implements TokenWays {
     public boolean makes(OutRequirement r, Transition t, PlanToken token) {
         boolean isGeneric = token.type() == TokenType.GENERIC;
         if (r.kind() == TokenKind.SUB_MISSION_TOKENS && r.action() != Action.CONSUME) {
-            return madeByChildren(t).contains(token.type());
+            return made.whereNobodyStands(plan, t, place -> comes(place, PlanToken.GENERIC))
+                    .contains(token.type());
         }
         return r.action() == Action.ADD
                 && ((r.kind() == TokenKind.GENERIC && !r.takesAll() && r.n() > 0 && isGeneric)
@@ -202,35 +202,6 @@ final class PossibleTokens implements TokenWays {
         return entered > 1;
     }
 
-    private Set<TokenType> madeByChildren(Transition t) {
-        Set<TokenType> made = EnumSet.noneOf(TokenType.class);
-        Set<String> seen = new HashSet<>();
-        plan.inEdgesOf(t.id()).forEach(edge -> children(plan, edge.place(), made, seen));
-        return made;
-    }
-
-    private void children(Plan parent, String place, Set<TokenType> made, Set<String> seen) {
-        parent.place(place).stream()
-                .flatMap(p -> p.subMissions().stream())
-                .flatMap(sub -> project.plan(sub.plan()).stream())
-                .filter(child -> seen.add(child.id()))
-                .forEach(child -> {
-                    child.transitions().forEach(ct -> made(child, ct, made));
-                    child.places().forEach(p -> children(child, p.id(), made, seen));
-                });
-    }
-
-    /** What firings of a child can make or copy. */
-    private static void made(Plan child, Transition t, Set<TokenType> made) {
-        List<OutEdge> edges = child.outEdgesOf(t.id()).stream()
-                .filter(edge -> edge.requirements().stream().anyMatch(r -> r.action() == Action.TAKE))
-                .toList();
-        child.outEdgesOf(t.id()).stream()
-                .flatMap(edge -> edge.requirements().stream())
-                .filter(r -> r.action() == Action.ADD || (r.action() == Action.TAKE && edges.size() > 1))
-                .forEach(r -> made.addAll(TokenType.of(r.kind())));
-    }
-
     @Override
     public boolean hasSub(String place) {
         return plan.place(place).filter(p -> !p.subMissions().isEmpty()).isPresent();
@@ -241,11 +212,9 @@ final class PossibleTokens implements TokenWays {
         return hasSub(place) && modes.getOrDefault(place, SubMode.OPEN) == SubMode.OPEN;
     }
 
-    /** Whether the sub-missions of a place may bring back tokens that were not there. */
+    /** Whether the plans of a place's sub-missions may make tokens, or copy those that were given to them. */
     boolean isMadeByChildren(String place) {
-        Set<TokenType> made = EnumSet.noneOf(TokenType.class);
-        children(plan, place, made, new HashSet<>());
-        return !made.isEmpty();
+        return !made.by(plan, place).isEmpty();
     }
 
     @Override

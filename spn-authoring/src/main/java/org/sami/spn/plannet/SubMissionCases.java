@@ -10,7 +10,6 @@ import org.sami.spn.model.InEdge;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
-import org.sami.spn.vocabulary.EventRole;
 
 /** What a transition supposes of the sub-missions that are followed on its in places, and what its firing does with those of its places. */
 final class SubMissionCases {
@@ -25,20 +24,11 @@ final class SubMissionCases {
         this.work = work;
         this.modes = modes;
         this.selections = selections;
-        overrides = overrides(work, t);
+        overrides = TransitionLooks.reachesHeld(work.vocabulary(), t);
         List<String> subs = subPlaces(work, t);
         only = subs.size() == 1 && modes.getOrDefault(subs.get(0), SubMode.OPEN) == SubMode.COMPLETE
                 ? work.child(subs.get(0)).filter(FollowedChild::knowsReturns)
                 : Optional.empty();
-    }
-
-    /** Whether it reaches tokens that instances hold (R-INT-5). */
-    private static boolean overrides(PlanNetWork work, Transition t) {
-        return t.inputs().stream()
-                .flatMap(input -> work.vocabulary().event(input.type()).stream())
-                .anyMatch(type -> type.role().isPress()
-                        || type.role() == EventRole.ABORT_RECEIVED
-                        || type.role() == EventRole.COMPLETE_RECEIVED);
     }
 
     private static List<String> subPlaces(PlanNetWork work, Transition t) {
@@ -52,7 +42,7 @@ final class SubMissionCases {
     /** Each way in which the sub-missions on its in places let a transition fire; one way where none of them is followed. */
     static List<Map<String, SubMode>> modes(PlanNetWork work, Transition t) {
         List<Map<String, SubMode>> all = new ArrayList<>(List.of(Map.of()));
-        if (overrides(work, t)) {
+        if (TransitionLooks.reachesHeld(work.vocabulary(), t)) {
             return all;
         }
         List<String> subs = subPlaces(work, t);

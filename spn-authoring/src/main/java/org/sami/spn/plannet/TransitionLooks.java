@@ -1,10 +1,14 @@
 package org.sami.spn.plannet;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.InputEventSpec;
 import org.sami.spn.model.Match;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.OutRequirement;
@@ -29,6 +33,15 @@ final class TransitionLooks {
                                 edge.requirements().stream().anyMatch(in -> isTaken(plan.outEdgesOf(t.id()), in)));
     }
 
+    /** Whether it reaches tokens that instances hold (R-INT-5). */
+    static boolean reachesHeld(Vocabulary vocabulary, Transition t) {
+        return t.inputs().stream()
+                .flatMap(input -> vocabulary.event(input.type()).stream())
+                .anyMatch(type -> type.role().isPress()
+                        || type.role() == EventRole.ABORT_RECEIVED
+                        || type.role() == EventRole.COMPLETE_RECEIVED);
+    }
+
     /** Whether its only input event reaches it as an answer or as news: where it must have somebody who is named, one of them is there. */
     static boolean isToldNames(Vocabulary vocabulary, Transition t) {
         return t.inputs().size() == 1
@@ -40,7 +53,7 @@ final class TransitionLooks {
                                 || role.isPress());
     }
 
-    /** Whether an event that waits can let it fire once nobody is in its in places: it asks for no token, and may be kept waiting (R-LOOK-5). */
+    /** Whether an event can let it fire once nobody is in its in places: it asks for no token, and the event may be kept waiting (R-LOOK-5) or come to others first. */
     static boolean mayFireLater(Plan plan, PossibleTokens possible, Vocabulary vocabulary, Transition t) {
         boolean isKept = t.inputs().stream()
                 .flatMap(input -> vocabulary.event(input.type()).stream())
@@ -58,7 +71,28 @@ final class TransitionLooks {
                 || edges.stream()
                         .flatMap(edge -> edge.requirements().stream())
                         .anyMatch(in -> in.kind() != TokenKind.UNCONDITIONAL);
-        return isKept && !edges.isEmpty() && !asksForOne && waits;
+        return !edges.isEmpty() && !asksForOne && ((isKept && waits) || isToldWithOthers(plan, t));
+    }
+
+    /**
+     * Whether one event may come to it and to another transition with an in place in common: all to whom it comes receive it before the first of them fires (R-OCC-6), so
+     * the other one may have emptied that place when the turn comes to this one (R-LOOK-7).
+     */
+    private static boolean isToldWithOthers(Plan plan, Transition t) {
+        Set<String> types = types(t);
+        Set<String> places = inPlaces(plan, t);
+        return plan.transitions().stream()
+                .filter(other -> !other.id().equals(t.id()))
+                .anyMatch(other -> !Collections.disjoint(types, types(other))
+                        && !Collections.disjoint(places, inPlaces(plan, other)));
+    }
+
+    private static Set<String> types(Transition t) {
+        return t.inputs().stream().map(InputEventSpec::type).collect(Collectors.toSet());
+    }
+
+    private static Set<String> inPlaces(Plan plan, Transition t) {
+        return plan.inEdgesOf(t.id()).stream().map(InEdge::place).collect(Collectors.toSet());
     }
 
     private static boolean isAtLeastOne(InRequirement in) {

@@ -97,6 +97,7 @@ final class FollowedNet {
             return "";
         }
         Map<String, int[]> next = new LinkedHashMap<>();
+        boolean mayBeMore = false;
         for (int[] from : fitting) {
             if (!path.isEmpty() && plan.isOpen(from, paths.getOrDefault(fired.mission(), ""))) {
                 next.put(Arrays.toString(from), from);
@@ -106,10 +107,8 @@ final class FollowedNet {
                 if (FiringRule.isEnabled(plan.net(), t, from)) {
                     int[] to = FiringRule.fire(plan.net(), t, from);
                     if (to[plan.beyond()] > 0) {
-                        isLost = true;
-                        return "";
-                    }
-                    if (plan.marking(to).tokens().equals(seen)
+                        mayBeMore = true;
+                    } else if (plan.marking(to).tokens().equals(seen)
                             && (path.isEmpty() || plan.inside(to, path).equals(inside))) {
                         next.put(Arrays.toString(to), to);
                     }
@@ -118,10 +117,12 @@ final class FollowedNet {
         }
         if (next.isEmpty()) {
             isLost = true;
-            return path + fired.transition() + " came to " + inside + " in " + seen + ", the net not from "
-                    + plan.marking(fitting.get(0)).tokens() + " "
-                    + plan.marking(fitting.get(0)).nobody() + " moves "
-                    + fired;
+            return mayBeMore
+                    ? "" // there were more tokens at once than the net follows
+                    : path + fired.transition() + " came to " + inside + " in " + seen + ", the net not from "
+                            + plan.marking(fitting.get(0)).tokens() + " "
+                            + plan.marking(fitting.get(0)).nobody() + " moves "
+                            + fired;
         }
         fitting = List.copyOf(next.values());
         isLost = fitting.size() > MOST;
