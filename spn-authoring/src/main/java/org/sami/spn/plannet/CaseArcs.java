@@ -78,6 +78,11 @@ final class CaseArcs {
         plus.remove(place);
     }
 
+    /** Nothing is added to the place after all. */
+    void cancel(int place) {
+        plus.remove(place);
+    }
+
     /** How many tokens are added to a place. */
     int added(int place) {
         return plus.getOrDefault(place, 0);

@@ -1,5 +1,7 @@
 package org.sami.spn.plannet;
 
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -28,6 +30,27 @@ final class FiringEffects {
         return work.plan().place(place).filter(Place::end).isPresent();
     }
 
+    /** Whether entering a place ends the mission. */
+    boolean endsMission(String place) {
+        return work.plan().place(place).filter(work::endsMission).isPresent();
+    }
+
+    /** What a firing brings to end places. */
+    EndTokens atEnd(List<TokenOption> chosen) {
+        List<PlanToken> tokens = new ArrayList<>();
+        Set<Integer> edges = new LinkedHashSet<>();
+        for (TokenOption option : chosen) {
+            List<Integer> ending = option.edges.stream()
+                    .filter(edge -> isEnd(selections.target(edge)))
+                    .toList();
+            if (!ending.isEmpty()) {
+                tokens.add(option.token);
+                edges.addAll(ending);
+            }
+        }
+        return new EndTokens(tokens, edges);
+    }
+
     /**
      * Completes a case.
      *
@@ -38,18 +61,30 @@ final class FiringEffects {
      * @return it, or what becomes of it as the places with sub-missions are that it enters
      */
     List<CaseArcs> of(
-            CaseArcs arcs,
-            Set<Integer> entered,
-            Set<String> left,
-            boolean ends,
-            boolean returnsSome,
-            List<PlanToken> atEnd) {
+            CaseArcs arcs, Set<Integer> entered, Set<String> left, boolean ends, boolean returnsSome, EndTokens atEnd) {
         around(arcs, entered, left, ends);
+        if (!ends) {
+            returnToParent(arcs, atEnd);
+        }
         List<CaseArcs> cases = subs.of(arcs, entered, left, returnsSome, ends);
         if (ends) {
             work.asChild().ifPresent(child -> cases.forEach(one -> child.completed(one, atEnd)));
         }
         return cases;
+    }
+
+    /** Of a shared sub-mission: each edge into an end place that does not end it is a return. */
+    private void returnToParent(CaseArcs arcs, EndTokens atEnd) {
+        Set<Integer> returning = new LinkedHashSet<>();
+        for (int edge = 0; edge < selections.edges().size(); edge++) {
+            if (isEnd(selections.target(edge))) {
+                returning.add(edge);
+                work.places().occasions(work.plan(), selections.target(edge), true, arcs);
+            }
+        }
+        if (!returning.isEmpty()) {
+            work.asChild().ifPresent(child -> child.returned(arcs, returning, atEnd));
+        }
     }
 
     /** That the mission runs, the end, visits by nobody that end, and which transitions are to be looked at next. */

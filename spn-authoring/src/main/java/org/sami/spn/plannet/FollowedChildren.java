@@ -8,7 +8,6 @@ import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
-import org.sami.spn.model.SubMissionSpec;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.vocabulary.EventRole;
 
@@ -50,31 +49,48 @@ final class FollowedChildren {
             List<String> plans = new ArrayList<>(ancestors);
             plans.add(child.plan().id());
             new FollowedChildren(child, plans, depth - 1, abstractions).make();
-            work.follow(
-                    new FollowedChild(
-                            work.places(),
-                            place.id(),
-                            work.team().stream()
-                                    .filter(token -> token.type() == TokenType.PROXY)
-                                    .toList(),
-                            child.plan(),
-                            child.places(),
-                            child::owned,
-                            !work.possible().isMadeByChildren(place.id())),
-                    child);
-            abstractions.wider(
-                    work.path(place.id()),
-                    "the sub-mission of \"" + title(place)
-                            + "\" is followed for one visit at a time: once there are more, or an interrupt takes"
-                            + " tokens out, it may end at any time and bring back any of its tokens, until nobody is"
-                            + " there");
-            if (leavesReturnsOpen(place.id())) {
-                abstractions.wider(
-                        work.path(place.id()),
-                        "which tokens the sub-mission of \"" + title(place)
-                                + "\" brings back is followed only in part");
+            if (place.subMissions().get(0).shared()) {
+                followShared(place, child);
+            } else {
+                followVisits(place, child);
             }
         }
+    }
+
+    private void followShared(Place place, PlanNetWork child) {
+        work.follow(new SharedChild(work.places(), place.id(), child, work.team()), child);
+        abstractions.wider(
+                work.path(place.id()),
+                "the shared sub-mission of \"" + title(place)
+                        + "\" is followed but for the order of its returns, who came with whom, and how many generic"
+                        + " tokens came; once nobody enters the place by an edge, or an interrupt takes tokens out, it"
+                        + " may bring back any of its tokens at any time");
+    }
+
+    private void followVisits(Place place, PlanNetWork child) {
+        work.follow(
+                new VisitChild(
+                        work.places(),
+                        place.id(),
+                        child,
+                        robots().toList(),
+                        !work.possible().isMadeByChildren(place.id())),
+                child);
+        abstractions.wider(
+                work.path(place.id()),
+                "the sub-mission of \"" + title(place)
+                        + "\" is followed for one visit at a time: once there are more, or an interrupt takes"
+                        + " tokens out, it may end at any time and bring back any of its tokens, until nobody is"
+                        + " there");
+        if (leavesReturnsOpen(place.id())) {
+            abstractions.wider(
+                    work.path(place.id()),
+                    "which tokens the sub-mission of \"" + title(place) + "\" brings back is followed only in part");
+        }
+    }
+
+    private Stream<PlanToken> robots() {
+        return work.team().stream().filter(token -> token.type() == TokenType.PROXY);
     }
 
     /** Whether a firing out of the place may speak of sub-mission tokens of which it is not known whether they came back. */
@@ -111,10 +127,6 @@ final class FollowedChildren {
         if (place.subMissions().size() > 1) {
             return Optional.of(": several run at once");
         }
-        SubMissionSpec spec = place.subMissions().get(0);
-        if (spec.shared()) {
-            return Optional.of(": it is shared by all visits");
-        }
         Optional<Plan> child = childOf(place).filter(plan -> plan.startPlace().isPresent());
         if (child.isEmpty() || place.end()) {
             return Optional.of(": it never starts");
@@ -137,9 +149,19 @@ final class FollowedChildren {
         if (isLoose) {
             return Optional.of(": the plan makes copies of boats");
         }
-        return work.team().stream().noneMatch(token -> work.possible().comes(place.id(), token))
-                ? Optional.of(": no token comes there")
-                : Optional.empty();
+        if (work.team().stream().noneMatch(token -> work.possible().comes(place.id(), token))) {
+            return Optional.of(": no token comes there");
+        }
+        if (place.subMissions().get(0).shared() && copies(place, child.get())) {
+            return Optional.of(": it is shared by all visits, and its plan makes copies of boats");
+        }
+        return Optional.empty();
+    }
+
+    /** Whether a boat may be several times in a shared sub-mission, so that one that was brought back may come once more. */
+    private boolean copies(Place place, Plan child) {
+        PossibleTokens inside = work.possibleIn(place, child);
+        return robots().anyMatch(inside::isCopied);
     }
 
     private static boolean isAboutItsOutcome(EventRole role) {

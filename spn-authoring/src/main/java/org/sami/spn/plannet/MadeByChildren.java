@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
@@ -26,12 +27,18 @@ final class MadeByChildren {
         this.vocabulary = vocabulary;
     }
 
-    /** What the sub-missions on the in places of a transition can bring back so. */
-    Set<TokenType> whereNobodyStands(Plan plan, Transition t) {
+    /**
+     * What the sub-missions on the in places of a transition can bring back so.
+     *
+     * @param hasGenerics to which places of the plan generic tokens can come
+     */
+    Set<TokenType> whereNobodyStands(Plan plan, Transition t, Predicate<String> hasGenerics) {
         Set<TokenType> made = EnumSet.noneOf(TokenType.class);
         plan.inEdgesOf(t.id()).forEach(edge -> {
             made.addAll(by(plan, edge.place()));
-            addNameless(plan, edge.place(), made);
+            if (hasGenerics.test(edge.place())) {
+                addNameless(plan, edge.place(), made);
+            }
         });
         return made;
     }
@@ -95,7 +102,11 @@ final class MadeByChildren {
      * place, which does not take it out of the sub-mission (R-SUB-4, R-INT-7).
      */
     private void addNameless(Plan plan, String place, Set<TokenType> made) {
-        int subs = plan.place(place).map(p -> p.subMissions().size()).orElse(0);
+        long subs = plan.place(place).stream()
+                .flatMap(p -> p.subMissions().stream())
+                .flatMap(sub -> project.plan(sub.plan()).stream())
+                .filter(child -> comingToEnds(child).contains(TokenType.GENERIC))
+                .count();
         boolean isPulled = plan.inEdges().stream()
                 .filter(edge -> edge.place().equals(place))
                 .flatMap(edge -> plan.transition(edge.transition()).stream())

@@ -147,6 +147,17 @@ final class MissionPlaces {
                 token.label());
     }
 
+    /** The place that counts the unused returns of a shared sub-mission that bring no robot. */
+    int returnsOfNobody(String place) {
+        return add(
+                place + ".returns",
+                place + ": unused returns without a robot",
+                0,
+                PlanNetPlace.Role.CHILD_NOBODY,
+                place + "/",
+                "");
+    }
+
     /** The places of the net that this mission has, besides those of its sub-missions. */
     List<Integer> owned() {
         return owned;

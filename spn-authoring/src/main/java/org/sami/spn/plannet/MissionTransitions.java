@@ -19,10 +19,12 @@ final class MissionTransitions {
         this.work = work;
         Plan plan = work.plan();
         InConditions in = new InConditions(work.places(), work.possible(), abstractions);
-        boolean runs = work.places().runsAtFirst();
+        boolean startsAtFirst = plan.startPlace()
+                .filter(start -> work.places().startsWith(start.id()))
+                .isPresent();
         for (Transition t : plan.transitions()) {
             conditions.put(t, in.of(t, plan.inEdgesOf(t.id())));
-            boolean atStart = runs
+            boolean atStart = startsAtFirst
                     && plan.inEdgesOf(t.id()).stream()
                             .anyMatch(edge -> plan.place(edge.place())
                                     .filter(Place::start)

@@ -24,6 +24,7 @@ final class PlanNetWork {
     private final RobotView view;
     private final Optional<PlanNetWork> parent;
     private final String path;
+    private final boolean isShared;
     private final BitSet sure = new BitSet();
     private final PossibleTokens possible;
     private final PetriNetBuilder net;
@@ -41,6 +42,7 @@ final class PlanNetWork {
         this.view = view;
         parent = Optional.empty();
         path = "";
+        isShared = false;
         firings = new ArrayList<>();
         counted = new ArrayList<>();
         ids = new HashMap<>();
@@ -67,31 +69,42 @@ final class PlanNetWork {
         view = parent.view;
         this.parent = Optional.of(parent);
         path = parent.path(at.id()) + "/";
+        isShared = at.subMissions().get(0).shared();
         firings = parent.firings;
         counted = parent.counted;
         ids = parent.ids;
-        possible = new PossibleTokens(
-                request.project(),
-                request.vocabulary(),
-                plan,
-                team,
-                token -> parent.possible.comes(at.id(), token),
-                token -> token.type() == TokenType.GENERIC && parent.possible.isCopied(token));
+        possible = parent.possibleIn(at, plan);
         net = parent.net;
-        boolean runs = parent.places.startsWith(at.id());
+        boolean runs = isShared ? parent.places.runsAtFirst() : parent.places.startsWith(at.id());
         places = new MissionPlaces(
                 parent.places,
                 path,
                 plan,
                 team,
                 possible,
-                (place, token) -> runs && place.start() ? parent.places.initialIn(at.id(), token) : 0,
+                (place, token) -> place.start() ? parent.places.initialIn(at.id(), token) : 0,
                 runs);
         beyond = parent.beyond;
     }
 
+    /** Which tokens can come to which place of a plan that runs as a sub-mission of a place. */
+    PossibleTokens possibleIn(Place at, Plan child) {
+        return new PossibleTokens(
+                request.project(),
+                request.vocabulary(),
+                child,
+                team,
+                token -> possible.comes(at.id(), token),
+                token -> token.type() == TokenType.GENERIC && possible.isCopied(token));
+    }
+
     Plan plan() {
         return plan;
+    }
+
+    /** Whether entering an end place ends the mission: in a shared sub-mission others only return who enters (R-SHR-1, R-SHR-2). */
+    boolean endsMission(Place end) {
+        return end.end() && (!isShared || end.endsSharedInstance());
     }
 
     Project project() {
@@ -128,6 +141,14 @@ final class PlanNetWork {
         return children.keySet().stream()
                 .filter(child -> child.place().equals(place))
                 .findFirst();
+    }
+
+    /** Whether a return can bring a token to a place with a sub-mission: one that is shared and followed brings only what comes to its end places. */
+    boolean mayReturn(String place, PlanToken token) {
+        return child(place)
+                .flatMap(FollowedChild::asShared)
+                .filter(shared -> !shared.mayReturn(token))
+                .isEmpty();
     }
 
     /** The one that a sub-mission is for its parent. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiPredicate;
 import java.util.function.Predicate;
 import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Action;
@@ -38,6 +39,9 @@ final class PossibleTokens implements TokenWays {
     /** How the places with sub-missions are that are followed. */
     private final Map<String, SubMode> modes;
 
+    /** Of places with shared sub-missions the tokens that those can bring back. */
+    private final BiPredicate<String, PlanToken> returns;
+
     PossibleTokens(Project project, Vocabulary vocabulary, Plan plan, Collection<PlanToken> all) {
         this(project, vocabulary, plan, all, token -> !token.isMade(), token -> false);
     }
@@ -59,6 +63,7 @@ final class PossibleTokens implements TokenWays {
         this.vocabulary = vocabulary;
         this.plan = plan;
         modes = Map.of();
+        returns = (place, token) -> true;
         plan.startPlace().ifPresent(start -> all.stream().filter(atStart).forEach(token -> come(start.id(), token)));
         boolean more = true;
         while (more) {
@@ -85,7 +90,7 @@ final class PossibleTokens implements TokenWays {
                 .forEach(token -> singles.groups(token).ifPresent(groups -> single.put(token, groups)));
     }
 
-    private PossibleTokens(PossibleTokens of, Map<String, SubMode> modes) {
+    private PossibleTokens(PossibleTokens of, Map<String, SubMode> modes, BiPredicate<String, PlanToken> returns) {
         made = of.made;
         vocabulary = of.vocabulary;
         plan = of.plan;
@@ -94,11 +99,16 @@ final class PossibleTokens implements TokenWays {
         copied.addAll(of.copied);
         single.putAll(of.single);
         this.modes = modes;
+        this.returns = returns;
     }
 
-    /** The same while places with sub-missions are so. */
-    PossibleTokens in(Map<String, SubMode> modes) {
-        return modes.isEmpty() ? this : new PossibleTokens(this, modes);
+    /**
+     * The same while places with sub-missions are so.
+     *
+     * @param returns whether a return of a place's shared sub-mission can bring a token
+     */
+    PossibleTokens in(Map<String, SubMode> modes, BiPredicate<String, PlanToken> returns) {
+        return modes.isEmpty() ? this : new PossibleTokens(this, modes, returns);
     }
 
     private boolean isEnd(String place) {
@@ -209,7 +219,8 @@ final class PossibleTokens implements TokenWays {
 
     /** Whether a sub-mission may hold tokens of the place, so that they are there and in no pool. */
     boolean isHeld(String place) {
-        return hasSub(place) && modes.getOrDefault(place, SubMode.OPEN) == SubMode.OPEN;
+        SubMode mode = modes.getOrDefault(place, SubMode.OPEN);
+        return hasSub(place) && (mode == SubMode.RETURNED || mode == SubMode.OPEN);
     }
 
     /** Whether the plans of a place's sub-missions may make tokens, or copy those that were given to them. */
@@ -250,6 +261,7 @@ final class PossibleTokens implements TokenWays {
                 .distinct()
                 .filter(place -> comes(place, token) && !isExcluded(t, place, token))
                 .filter(place -> modes.get(place) != SubMode.VACANT)
+                .filter(place -> modes.get(place) != SubMode.RETURNED || returns.test(place, token))
                 .toList();
     }
 }

@@ -2,11 +2,14 @@ package org.sami.spn.plannet;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.sami.spn.model.InEdge;
+import org.sami.spn.model.InRequirement;
+import org.sami.spn.model.Match;
 import org.sami.spn.model.OutEdge;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
@@ -18,7 +21,12 @@ final class SubMissionCases {
     private final Selections selections;
     private final boolean overrides;
     /** Of several places with sub-missions it is not followed which of them brought back what. */
-    private final Optional<FollowedChild> only;
+    private final Optional<VisitChild> only;
+
+    /** Those that are shared and have returned, with how many robots their return must bring at least. */
+    private final Map<SharedChild, Integer> returned = new LinkedHashMap<>();
+
+    private final boolean hasOneSub;
 
     SubMissionCases(PlanNetWork work, Transition t, Map<String, SubMode> modes, Selections selections) {
         this.work = work;
@@ -27,8 +35,29 @@ final class SubMissionCases {
         overrides = TransitionLooks.reachesHeld(work.vocabulary(), t);
         List<String> subs = subPlaces(work, t);
         only = subs.size() == 1 && modes.getOrDefault(subs.get(0), SubMode.OPEN) == SubMode.COMPLETE
-                ? work.child(subs.get(0)).filter(FollowedChild::knowsReturns)
+                ? work.child(subs.get(0)).flatMap(FollowedChild::asOfVisit).filter(VisitChild::knowsReturns)
                 : Optional.empty();
+        hasOneSub = subs.size() == 1;
+        for (String place : subs) {
+            if (modes.get(place) == SubMode.RETURNED) {
+                work.child(place)
+                        .flatMap(FollowedChild::asShared)
+                        .ifPresent(child -> returned.put(child, leastRobots(work, t, child)));
+            }
+        }
+    }
+
+    /** How many robots of a return a transition asks for: of the place it may speak of those alone (R-SHR-6). */
+    private static int leastRobots(PlanNetWork work, Transition t, SharedChild child) {
+        return work.plan().inEdgesOf(t.id()).stream()
+                .filter(edge -> edge.place().equals(child.place()))
+                .flatMap(edge -> edge.requirements().stream())
+                .filter(r -> r.match() == Match.AT_LEAST)
+                .filter(r -> r.kind() == TokenKind.ANY_PROXY
+                        || (r.kind() == TokenKind.ANY_TOKEN && !child.mayReturn(PlanToken.GENERIC)))
+                .mapToInt(InRequirement::n)
+                .max()
+                .orElse(0);
     }
 
     private static List<String> subPlaces(PlanNetWork work, Transition t) {
@@ -47,10 +76,11 @@ final class SubMissionCases {
         }
         List<String> subs = subPlaces(work, t);
         for (String place : subs) {
-            if (work.child(place).isPresent()) {
+            Optional<FollowedChild> child = work.child(place);
+            if (child.isPresent()) {
                 List<Map<String, SubMode>> more = new ArrayList<>();
                 for (Map<String, SubMode> one : all) {
-                    for (SubMode mode : SubMode.values()) {
+                    for (SubMode mode : child.get().modes()) {
                         Map<String, SubMode> with = new HashMap<>(one);
                         with.put(place, mode);
                         more.add(with);
@@ -101,6 +131,26 @@ final class SubMissionCases {
                 .flatMap(place -> work.child(place).stream())
                 .flatMap(child -> child.back(option.token).stream())
                 .forEach(option.arcs::empty);
+        returned.keySet().forEach(child -> child.used(option));
+    }
+
+    /** Whether a token is surely one of the sub-mission tokens that are selected: the return brought it, and all of them are. */
+    boolean isSurelySelected(TokenOption option) {
+        return hasOneSub
+                && speaks()
+                && takesAll()
+                && returned.keySet().stream().anyMatch(child -> option.present.contains(child.place()));
+    }
+
+    /** The cases of a firing by the returns of shared sub-missions that it uses. */
+    List<CaseArcs> returns(CaseArcs arcs, List<TokenOption> chosen) {
+        List<CaseArcs> cases = List.of(arcs);
+        for (Map.Entry<SharedChild, Integer> child : returned.entrySet()) {
+            cases = cases.stream()
+                    .flatMap(one -> child.getKey().used(one, chosen, child.getValue()).stream())
+                    .toList();
+        }
+        return cases;
     }
 
     /** The cases of a firing, with what it does to sub-missions. */
@@ -129,12 +179,7 @@ final class SubMissionCases {
             edges += out.place().equals(child.place()) ? 1 : 0;
         }
         boolean isByNobody = work.places().nobody(child.place()).stream().anyMatch(arcs::adds);
-        if (edges > 0) {
-            return child.entered(arcs, edges, isByNobody);
-        }
-        if (overrides && left.contains(child.place())) {
-            child.leaveOpen(arcs);
-        }
-        return List.of(arcs);
+        boolean isPulled = overrides && left.contains(child.place());
+        return edges > 0 || isPulled ? child.changed(arcs, edges, isByNobody, isPulled) : List.of(arcs);
     }
 }

@@ -23,6 +23,8 @@ final class TokenOption {
     /** The level at which requirements with numbers select it, by group; 0 where they do not. */
     final Map<String, Integer> levels = new TreeMap<>();
 
+    /** Whether no requirement selects it, wherever it stands. */
+    boolean isUnselected;
     /** Whether a sub-mission brought it back. */
     boolean isReturned;
 

@@ -91,6 +91,7 @@ final class TokenOptions {
             selections.numbers().keySet().stream()
                     .filter(group -> isCovered(anywhere, group))
                     .forEach(group -> anywhere.levels.put(group, 0));
+            anywhere.isUnselected = !byNumber && !bySub;
             subs.returned(anywhere);
             options.add(anywhere);
         }
@@ -214,7 +215,9 @@ final class TokenOptions {
     }
 
     private void addReturned(TokenOption option, List<TokenOption> options) {
-        addEffects(option, false, 0, options);
+        if (!subs.isSurelySelected(option)) {
+            addEffects(option, false, 0, options);
+        }
         boolean canReturn = selections.all().stream()
                 .map(Selections.Selector::requirement)
                 .filter(r -> r.kind() == TokenKind.SUB_MISSION_TOKENS)

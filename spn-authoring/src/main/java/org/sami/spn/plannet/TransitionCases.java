@@ -48,7 +48,7 @@ final class TransitionCases {
     /** @param modes how the places are whose sub-missions are followed, where that matters */
     TransitionCases(PlanNetWork work, Transition t, List<CaseArcs> conditions, Map<String, SubMode> modes) {
         this.work = work;
-        possible = work.possible().in(modes);
+        possible = work.possible().in(modes, work::mayReturn);
         this.t = t;
         this.conditions = conditions;
         ofRobots = new CountedRobots(work.places(), work.possible(), t)::arcs;
@@ -209,11 +209,7 @@ final class TransitionCases {
 
     /** Whether it leads to an end of the mission. */
     private boolean ends() {
-        return selections.edges().stream().anyMatch(edge -> isEnd(edge.place()));
-    }
-
-    private boolean isEnd(String place) {
-        return effects.isEnd(place);
+        return selections.edges().stream().anyMatch(edge -> effects.endsMission(edge.place()));
     }
 
     /** @param robots those of the chosen options that are of robots that are counted, with what they ask for together */
@@ -231,7 +227,6 @@ final class TransitionCases {
         Set<Integer> entered = new LinkedHashSet<>(generic.edges);
         Set<String> left = new LinkedHashSet<>(generic.left);
         List<String> named = new ArrayList<>();
-        List<PlanToken> atEnd = new ArrayList<>();
         boolean returnsSome = generic.returned > 0;
         for (TokenOption option : chosen) {
             if (robots.isEmpty() || !option.token.equals(PlanToken.ROBOTS)) {
@@ -241,9 +236,6 @@ final class TransitionCases {
             entered.addAll(option.edges);
             left.addAll(option.removed);
             returnsSome |= option.isReturned;
-            if (option.moves.stream().anyMatch(move -> isEnd(move.to()))) {
-                atEnd.add(option.token);
-            }
             if (option.isNamed) {
                 named.add(option.token.label());
             }
@@ -251,8 +243,8 @@ final class TransitionCases {
         boolean ends = false;
         for (int i = 0; i < selections.edges().size(); i++) {
             OutEdge edge = selections.edges().get(i);
-            boolean isEnd = isEnd(edge.place());
-            ends |= isEnd;
+            boolean isEnd = effects.isEnd(edge.place());
+            ends |= effects.endsMission(edge.place());
             boolean unconditional = edge.requirements().isEmpty()
                     || edge.requirements().stream().anyMatch(r -> r.kind() == TokenKind.UNCONDITIONAL);
             if (!entered.contains(i) && unconditional && !isEnd) {
@@ -260,7 +252,8 @@ final class TransitionCases {
                 entered.add(i);
             }
         }
-        for (CaseArcs ready : InConditions.both(List.of(arcs), conditions)) {
+        EndTokens atEnd = effects.atEnd(chosen);
+        for (CaseArcs ready : InConditions.both(subs.returns(arcs, chosen), conditions)) {
             for (CaseArcs awake : wakened.of(ready)) {
                 CaseArcs whole = awake.copy();
                 PlanNetFiring firing = work.firing(t, named, moves, ends);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.sami.petri.graph.GraphWatch;
 import org.sami.petri.graph.SearchBudget;
@@ -22,12 +23,16 @@ class SubMissionQueriesTest {
     private static final SearchBudget ENOUGH = new SearchBudget(10_000, 64L << 20, Duration.ofMinutes(5));
 
     private static Project project(String whatTheChildWaitsFor) {
+        return project(whatTheChildWaitsFor, false);
+    }
+
+    private static Project project(String whatTheChildWaitsFor, boolean isShared) {
         return NetBuilder.project(
                 new NetBuilder("p")
                         .start("a")
                         .output("a", "Choose")
                         .places("run")
-                        .sub("run", "child")
+                        .sub("run", "child", isShared, Map.of(), Map.of())
                         .end("z")
                         .transition("t", "Chosen")
                         .in("a", "t", "relevant all")
@@ -62,6 +67,24 @@ class SubMissionQueriesTest {
     }
 
     @Test
+    void aSharedChildThatNeverReturnsKeepsItsParentOnlyWhereItIsFollowed() throws PlanNetTooLargeException {
+        Project project = project("proxy >= 2", true);
+
+        assertThat(answer(project, 0, "home ended").verdict()).isEqualTo(NetVerdict.YES);
+        assertThat(answer(project, 1, "home ended").verdict()).isEqualTo(NetVerdict.NO);
+        assertThat(answer(project, 1, "reachable ended").verdict()).isEqualTo(NetVerdict.NO);
+    }
+
+    @Test
+    void aRunThroughASharedChildIsTakenOnTheEngine() throws PlanNetTooLargeException {
+        PlanQueryAnswer answer = answer(project("proxy >= 1", true), 1, "reachable m(z.A) = 1");
+
+        assertThat(answer.words()).contains("reached by 3 firings, and the engine comes there by 2 steps");
+        assertThat(answer.witness().orElseThrow().words()).anyMatch(words -> words.startsWith("run / u"));
+        assertThat(answer.witness().orElseThrow().steps()).isPresent();
+    }
+
+    @Test
     void aRunThroughAChildIsTakenOnTheEngine() throws PlanNetTooLargeException {
         PlanQueryAnswer answer = answer(project("proxy >= 1"), 1, "reachable m(z.A) = 1");
 
@@ -71,7 +94,7 @@ class SubMissionQueriesTest {
     }
 
     @Test
-    void plansThatRunThemselvesAndSharedSubMissionsAreLeftOpenWithTheReason() throws PlanNetTooLargeException {
+    void plansThatRunThemselvesAndSharedOnesThatCopyBoatsAreLeftOpenWithTheReason() throws PlanNetTooLargeException {
         Project project = NetBuilder.project(
                 new NetBuilder("p")
                         .start("a")
@@ -82,13 +105,19 @@ class SubMissionQueriesTest {
                         .in("a", "t", "proxy >= 1")
                         .out("t", "b", "take all proxy")
                         .build(),
-                new NetBuilder("child").start("c").build());
+                new NetBuilder("child")
+                        .start("c")
+                        .end("e")
+                        .transition("u")
+                        .in("c", "u", "proxy >= 1")
+                        .out("u", "e", "add 1 proxy")
+                        .build());
 
         PlanNet net = PlanNet.of(new PlanNetRequest(project, TestVocabulary.TEST, "p", List.of("A")).toDepth(2));
 
         assertThat(net.followsSubMissions()).isFalse();
         assertThat(net.abstractions().stream().map(Abstraction::text))
                 .anyMatch(text -> text.endsWith("its plan runs itself"))
-                .anyMatch(text -> text.endsWith("it is shared by all visits"));
+                .anyMatch(text -> text.endsWith("it is shared by all visits, and its plan makes copies of boats"));
     }
 }

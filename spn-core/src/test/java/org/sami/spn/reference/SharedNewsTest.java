@@ -38,11 +38,9 @@ class SharedNewsTest {
     }
 
     /** A mission whose sub-mission is such a plan. */
-    private static NetBuilder parent() {
-        return new NetBuilder("main")
-                .start("q0")
-                .places("q1")
-                .sub("q1", "child")
+    private static NetBuilder parent(boolean isShared) {
+        NetBuilder net = new NetBuilder("main").start("q0").places("q1");
+        return (isShared ? net.shared("q1", "child") : net.sub("q1", "child"))
                 .transition("enter", "Other")
                 .in("q0", "enter", "relevant all")
                 .out("enter", "q1", "take all relevant");
@@ -72,7 +70,16 @@ class SharedNewsTest {
     @Test
     void bothFireInASubMissionOfOneVisit() throws PlanNetTooLargeException {
         Project project = NetBuilder.project(
-                parent().build(),
+                parent(false).build(),
+                twoThatWait(new NetBuilder("child"), "News").build());
+
+        assertThat(followed(project, START, OTHER, NEWS)).isEqualTo(3);
+    }
+
+    @Test
+    void bothFireInASharedSubMission() throws PlanNetTooLargeException {
+        Project project = NetBuilder.project(
+                parent(true).build(),
                 twoThatWait(new NetBuilder("child"), "News").build());
 
         assertThat(followed(project, START, OTHER, NEWS)).isEqualTo(3);

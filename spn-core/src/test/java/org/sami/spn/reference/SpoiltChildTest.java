@@ -24,42 +24,42 @@ class SpoiltChildTest {
     static Stream<Arguments> lines() {
         return Stream.of(
                 child("those who enter do not start", "arcs.add(at, entering);", "arcs.add(at, 0);"),
-                child("a child does not run", "arcs.add(child.running(), 1);", ""),
+                child("a child does not run", "arcs.add(mission.places().running(), 1);", ""),
                 child(
                         "a child's own rules do not look at the start",
                         "child.occasions(",
                         "if (false) child.occasions("),
-                child("a completion is not known", "arcs.set(complete);", ""),
+                visit("a completion is not known", "arcs.set(complete);", ""),
                 child("nobody comes back", "if (brought.contains(token)) {", "if (false) {"),
                 child("all come back", "if (brought.contains(token)) {", "if (true) {"),
-                child("a second visit is the first one", "second.atLeast(count, 1);", "second.atLeast(count, 9);"),
-                child("a second visit changes nothing", "leaveOpen(second);", ""),
-                child("who waits for a completion does not", "arcs.atLeast(complete, 1)", "arcs.atLeast(complete, 0)"),
-                child("somebody may be where nobody is", "arcs.below(count, 1);", "arcs.below(count, 9);"),
-                child("no completion is new", "arcs.set(unused);", ""),
+                visit("a second visit is the first one", "second.atLeast(count, 1);", "second.atLeast(count, 9);"),
+                visit("a second visit changes nothing", "leaveOpen(second);", ""),
+                visit("who waits for a completion does not", "arcs.atLeast(complete, 1)", "arcs.atLeast(complete, 0)"),
+                visit("somebody may be where nobody is", "arcs.below(count, 1);", "arcs.below(count, 9);"),
+                visit("no completion is new", "arcs.set(unused);", ""),
                 plan("a number takes all that came back", "TokenOptions", "s.requirement().n() >= least", "true"),
                 cases(
                         "nobody completes",
-                        "for (SubMode mode : SubMode.values()) {",
+                        "for (SubMode mode : child.get().modes()) {",
                         "for (SubMode mode : new SubMode[] {SubMode.VACANT, SubMode.OPEN}) {"),
                 cases(
                         "no place is vacant",
-                        "for (SubMode mode : SubMode.values()) {",
+                        "for (SubMode mode : child.get().modes()) {",
                         "for (SubMode mode : new SubMode[] {SubMode.COMPLETE, SubMode.OPEN}) {"),
                 cases("who did not come back is taken", "option.arcs.atLeast(at, 1);", ""),
                 cases("who came back may stay", "option.arcs.below(at, 1);", ""),
                 cases("who never came back must", "option.arcs.below(at, 1);", "option.arcs.atLeast(at, 1);"),
-                plan(
-                        "an end does not end a child",
-                        "FiringEffects",
-                        "child.completed(one, atEnd)",
-                        "child.useNew(one)"),
+                plan("an end does not end a child", "FiringEffects", "child.completed(one, atEnd)", "child.start(one)"),
                 plan(
                         "a child outlives its parent",
                         "FiringEffects",
                         "arcs.atLeast(of.get().places().running(), 1);",
                         ""),
-                plan("a child is held when it is complete", "PossibleTokens", "== SubMode.OPEN;", "!= SubMode.VACANT;"),
+                plan(
+                        "a child is held when it is complete",
+                        "PossibleTokens",
+                        "mode == SubMode.OPEN);",
+                        "mode != SubMode.VACANT);"),
                 plan(
                         "no event waits for an empty place",
                         "WakenedCases",
@@ -69,6 +69,10 @@ class SpoiltChildTest {
 
     private static Arguments child(String spoilt, String right, String wrong) {
         return plan(spoilt, "FollowedChild", right, wrong);
+    }
+
+    private static Arguments visit(String spoilt, String right, String wrong) {
+        return plan(spoilt, "VisitChild", right, wrong);
     }
 
     private static Arguments cases(String spoilt, String right, String wrong) {

@@ -1,0 +1,130 @@
+package org.sami.spn.plannet;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * A dynamic sub-mission that the net follows: one visit of its place at a time, from its start to what it brought back (R-SUB-1 to R-SUB-6). Where there may be more than
+ * that, the place is left open until it is empty.
+ */
+final class VisitChild extends FollowedChild {
+    private final boolean knowsReturns;
+    private final int count;
+    private final int complete;
+    private final int unused;
+
+    /**
+     * A child that is ready to be followed.
+     *
+     * @param place of the parent's plan
+     * @param mission the child's
+     * @param robots each with a token of its own
+     * @param knowsReturns whether the child can only bring back what was given to it
+     */
+    VisitChild(MissionPlaces parent, String place, PlanNetWork mission, List<PlanToken> robots, boolean knowsReturns) {
+        super(parent, place, mission, knowsReturns ? robots : List.of());
+        this.knowsReturns = knowsReturns;
+        count = parent.counter(place, "visitors", token -> true);
+        complete = parent.control(place + ".complete", place + ": its sub-mission is complete", 0);
+        unused = parent.control(place + ".unused", place + ": its completion is not used yet", 0);
+    }
+
+    /** Whether it is known what came back: all of it was there before. */
+    boolean knowsReturns() {
+        return knowsReturns;
+    }
+
+    @Override
+    Optional<VisitChild> asOfVisit() {
+        return Optional.of(this);
+    }
+
+    @Override
+    List<SubMode> modes() {
+        return List.of(SubMode.VACANT, SubMode.COMPLETE, SubMode.OPEN);
+    }
+
+    @Override
+    void suppose(SubMode mode, CaseArcs arcs) {
+        switch (mode) {
+            case VACANT -> {
+                arcs.below(count, 1);
+                parent().nobody(place()).ifPresent(nobody -> arcs.below(nobody, 1));
+            }
+            case COMPLETE -> arcs.atLeast(complete, 1);
+            default -> arcs.atLeast(open(), 1);
+        }
+    }
+
+    /** A firing that speaks of sub-mission tokens, and finds none, is the first for the completion. */
+    void useNew(CaseArcs arcs) {
+        arcs.remove(unused, 1);
+    }
+
+    /** The completion is used. */
+    void use(CaseArcs arcs) {
+        arcs.empty(unused);
+    }
+
+    @Override
+    List<CaseArcs> changed(CaseArcs arcs, int edges, boolean isByNobody, boolean isPulled) {
+        if (edges == 0) {
+            leaveOpen(arcs);
+            return List.of(arcs);
+        }
+        List<CaseArcs> cases = new ArrayList<>();
+        CaseArcs first = arcs.copy();
+        suppose(SubMode.VACANT, first);
+        if (edges > 1 || isByNobody) {
+            leaveOpen(first);
+        } else {
+            enteredFirst(first);
+        }
+        cases.add(first);
+        CaseArcs second = arcs.copy();
+        second.atLeast(count, 1);
+        leaveOpen(second);
+        cases.add(second);
+        parent().nobody(place()).ifPresent(nobody -> {
+            CaseArcs third = arcs.copy();
+            third.below(count, 1);
+            third.atLeast(nobody, 1);
+            leaveOpen(third);
+            cases.add(third);
+        });
+        return cases;
+    }
+
+    @Override
+    void parentStarts(CaseArcs arcs) {}
+
+    @Override
+    void enteredFirst(CaseArcs arcs) {
+        forget(arcs);
+        start(arcs);
+        join(arcs);
+        atStart().ifPresent(child -> child.enteredFirst(arcs));
+    }
+
+    @Override
+    void forget(CaseArcs arcs) {
+        super.forget(arcs);
+        arcs.clear(complete);
+        arcs.clear(unused);
+    }
+
+    @Override
+    void returned(CaseArcs arcs, Set<Integer> ends, EndTokens atEnd) {
+        throw new IllegalStateException("Each end place ends the sub-mission of one visit of '" + place() + "'");
+    }
+
+    @Override
+    void completed(CaseArcs arcs, EndTokens atEnd) {
+        empty(arcs);
+        arcs.set(complete);
+        arcs.set(unused);
+        bringBack(arcs, atEnd.tokens());
+    }
+}
