@@ -18,7 +18,7 @@ class SpoiltTranslationTest {
     private static final Path PLANS = Path.of("../spn-authoring/src/main/java/org/sami/spn/plannet");
     private static final Path SEARCHES = Path.of("../petri/src/main/java/org/sami/petri/graph");
     private static final int LEAST_SPOILT = 20;
-    private static final int MOST_SEEDS = 1000;
+    private static final int MOST_SEEDS = 2000;
     private static final SpoiltNets NETS = new SpoiltNets(NetJudge.class, MOST_SEEDS);
 
     /** What is spoilt, and the line. */
