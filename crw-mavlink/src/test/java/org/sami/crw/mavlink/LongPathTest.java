@@ -126,7 +126,9 @@ class LongPathTest {
         assertThat(boat.mission().stops()).isLessThan(quiet ? 1 : 100);
         assertThat(boat.mission().uploads()).isEqualTo(1);
         assertThat(boat.armings()).isEqualTo(1);
-        assertThat(boat.restarts()).as("changes of its mission under way").hasSizeLessThan(60);
+        // a busy machine sends a part in several rounds of the vehicle, each of which changes the leg under way
+        List<Integer> begunAnew = boat.restarts().stream().distinct().toList();
+        assertThat(begunAnew).as("legs that it began anew").hasSizeLessThan(60);
     }
 
     @Test
