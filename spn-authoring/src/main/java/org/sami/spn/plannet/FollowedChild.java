@@ -9,10 +9,10 @@ import java.util.Set;
 import org.sami.spn.model.Place;
 
 /** A sub-mission that the net follows on a place of its parent. Where that ends, the place is left open: its mark says so, and from then on all is possible. */
-abstract class FollowedChild {
+abstract class FollowedChild implements StartedChild {
     private final MissionPlaces parent;
     private final String place;
-    private final PlanNetWork mission;
+    private final ChildMission mission;
     private final int open;
     private final Map<PlanToken, Integer> back = new LinkedHashMap<>();
 
@@ -23,7 +23,7 @@ abstract class FollowedChild {
      * @param mission the child's
      * @param returning the robots of which it is followed whether the child brought them back
      */
-    FollowedChild(MissionPlaces parent, String place, PlanNetWork mission, List<PlanToken> returning) {
+    FollowedChild(MissionPlaces parent, String place, ChildMission mission, List<PlanToken> returning) {
         this.parent = parent;
         this.place = place;
         this.mission = mission;
@@ -39,7 +39,7 @@ abstract class FollowedChild {
         return place;
     }
 
-    PlanNetWork mission() {
+    ChildMission mission() {
         return mission;
     }
 
@@ -53,14 +53,9 @@ abstract class FollowedChild {
         return Optional.ofNullable(back.get(token));
     }
 
-    /** It as one that is shared by all visits of the place; empty where each visit has its own. */
-    Optional<SharedChild> asShared() {
-        return Optional.empty();
-    }
-
-    /** It as one that each visit of the place has for itself. */
-    Optional<VisitChild> asOfVisit() {
-        return Optional.empty();
+    /** Whether it can bring a token back to its place. */
+    boolean mayReturn(PlanToken token) {
+        return true;
     }
 
     /** How the place can be while a transition out of it fires. */
@@ -68,21 +63,6 @@ abstract class FollowedChild {
 
     /** What a firing out of the place supposes of it. */
     abstract void suppose(SubMode mode, CaseArcs arcs);
-
-    /**
-     * The cases of a firing that tokens, or nobody, enter the place by, or that takes tokens out of a running instance.
-     *
-     * @param edges by how many edges the place is entered
-     * @param isByNobody whether nobody enters by one of them
-     * @param isPulled whether an interrupt takes tokens out
-     */
-    abstract List<CaseArcs> changed(CaseArcs arcs, int edges, boolean isByNobody, boolean isPulled);
-
-    /** The parent's mission starts: a shared child starts with it. */
-    abstract void parentStarts(CaseArcs arcs);
-
-    /** Tokens enter the place in the firing that starts the parent's mission: nobody was there. */
-    abstract void enteredFirst(CaseArcs arcs);
 
     /** The child has entered an end place with these tokens, and is over. */
     abstract void completed(CaseArcs arcs, EndTokens atEnd);
@@ -114,7 +94,7 @@ abstract class FollowedChild {
     }
 
     /** What runs in the child's start place. */
-    final Optional<FollowedChild> atStart() {
+    final Optional<? extends StartedChild> atStart() {
         return mission.child(startPlace());
     }
 

@@ -110,7 +110,7 @@ final class MadeByChildren {
         boolean isPulled = plan.inEdges().stream()
                 .filter(edge -> edge.place().equals(place))
                 .flatMap(edge -> plan.transition(edge.transition()).stream())
-                .filter(t -> TransitionLooks.reachesHeld(vocabulary, t))
+                .filter(t -> EventReach.reachesHeld(vocabulary, t))
                 .flatMap(t -> plan.outEdgesOf(t.id()).stream())
                 .flatMap(edge -> edge.requirements().stream())
                 .anyMatch(r ->

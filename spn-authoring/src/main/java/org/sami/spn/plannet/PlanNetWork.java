@@ -17,7 +17,7 @@ import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** A net while it is made: what its parts share. For one thread. */
-final class PlanNetWork {
+final class PlanNetWork implements ChildMission {
     private final PlanNetRequest request;
     private final Plan plan;
     private final List<PlanToken> team;
@@ -98,7 +98,8 @@ final class PlanNetWork {
                 token -> token.type() == TokenType.GENERIC && possible.isCopied(token));
     }
 
-    Plan plan() {
+    @Override
+    public Plan plan() {
         return plan;
     }
 
@@ -127,7 +128,8 @@ final class PlanNetWork {
     }
 
     /** The sub-missions that are followed. */
-    List<FollowedChild> children() {
+    @Override
+    public List<FollowedChild> children() {
         return List.copyOf(children.keySet());
     }
 
@@ -137,7 +139,8 @@ final class PlanNetWork {
     }
 
     /** The sub-mission that is followed on a place. */
-    Optional<FollowedChild> child(String place) {
+    @Override
+    public Optional<FollowedChild> child(String place) {
         return children.keySet().stream()
                 .filter(child -> child.place().equals(place))
                 .findFirst();
@@ -145,10 +148,7 @@ final class PlanNetWork {
 
     /** Whether a return can bring a token to a place with a sub-mission: one that is shared and followed brings only what comes to its end places. */
     boolean mayReturn(String place, PlanToken token) {
-        return child(place)
-                .flatMap(FollowedChild::asShared)
-                .filter(shared -> !shared.mayReturn(token))
-                .isEmpty();
+        return child(place).filter(child -> !child.mayReturn(token)).isEmpty();
     }
 
     /** The one that a sub-mission is for its parent. */
@@ -171,7 +171,8 @@ final class PlanNetWork {
     }
 
     /** All places of the net that stand for the mission and its sub-missions. */
-    List<Integer> owned() {
+    @Override
+    public List<Integer> owned() {
         List<Integer> all = new ArrayList<>(places.owned());
         children.values().forEach(child -> all.addAll(child.owned()));
         return all;
@@ -199,11 +200,13 @@ final class PlanNetWork {
         return sure;
     }
 
-    PossibleTokens possible() {
+    @Override
+    public PossibleTokens possible() {
         return possible;
     }
 
-    MissionPlaces places() {
+    @Override
+    public MissionPlaces places() {
         return places;
     }
 

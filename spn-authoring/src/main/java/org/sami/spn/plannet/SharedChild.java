@@ -25,7 +25,7 @@ final class SharedChild extends FollowedChild {
      * @param mission the child's
      * @param team the tokens that there are
      */
-    SharedChild(MissionPlaces parent, String place, PlanNetWork mission, List<PlanToken> team) {
+    SharedChild(MissionPlaces parent, String place, ChildMission mission, List<PlanToken> team) {
         super(
                 parent,
                 place,
@@ -38,19 +38,15 @@ final class SharedChild extends FollowedChild {
         running = mission.places().running();
     }
 
-    private static boolean comesToEnd(PlanNetWork mission, PlanToken token) {
+    private static boolean comesToEnd(ChildMission mission, PlanToken token) {
         return mission.plan().places().stream()
                 .anyMatch(place -> place.end() && mission.possible().comes(place.id(), token));
     }
 
-    /** Whether a return can bring a token. */
+    /** A return brings only what can come to an end place of the child. */
+    @Override
     boolean mayReturn(PlanToken token) {
         return returning.contains(token);
-    }
-
-    @Override
-    Optional<SharedChild> asShared() {
-        return Optional.of(this);
     }
 
     @Override
@@ -111,7 +107,7 @@ final class SharedChild extends FollowedChild {
     }
 
     @Override
-    List<CaseArcs> changed(CaseArcs arcs, int edges, boolean isByNobody, boolean isPulled) {
+    public List<CaseArcs> changed(CaseArcs arcs, int edges, boolean isByNobody, boolean isPulled) {
         if (isPulled || isByNobody) {
             leaveOpen(arcs);
             return List.of(arcs);
@@ -119,7 +115,7 @@ final class SharedChild extends FollowedChild {
         CaseArcs joined = arcs.copy();
         joined.atLeast(running, 1);
         join(joined);
-        Optional<FollowedChild> inner = atStart();
+        Optional<? extends StartedChild> inner = atStart();
         List<CaseArcs> cases =
                 new ArrayList<>(inner.isPresent() ? inner.get().changed(joined, edges, false, false) : List.of(joined));
         CaseArcs over = arcs.copy(); // nobody joins one that has ended, or is not followed any longer
@@ -129,13 +125,13 @@ final class SharedChild extends FollowedChild {
     }
 
     @Override
-    void parentStarts(CaseArcs arcs) {
+    public void parentStarts(CaseArcs arcs) {
         forget(arcs);
         start(arcs);
     }
 
     @Override
-    void enteredFirst(CaseArcs arcs) {
+    public void enteredFirst(CaseArcs arcs) {
         join(arcs);
         atStart().ifPresent(child -> child.enteredFirst(arcs));
     }

@@ -32,16 +32,20 @@ final class SubMissionCases {
         this.work = work;
         this.modes = modes;
         this.selections = selections;
-        overrides = TransitionLooks.reachesHeld(work.vocabulary(), t);
+        overrides = EventReach.reachesHeld(work.vocabulary(), t);
         List<String> subs = subPlaces(work, t);
         only = subs.size() == 1 && modes.getOrDefault(subs.get(0), SubMode.OPEN) == SubMode.COMPLETE
-                ? work.child(subs.get(0)).flatMap(FollowedChild::asOfVisit).filter(VisitChild::knowsReturns)
+                ? work.child(subs.get(0))
+                        .filter(VisitChild.class::isInstance)
+                        .map(VisitChild.class::cast)
+                        .filter(VisitChild::knowsReturns)
                 : Optional.empty();
         hasOneSub = subs.size() == 1;
         for (String place : subs) {
             if (modes.get(place) == SubMode.RETURNED) {
                 work.child(place)
-                        .flatMap(FollowedChild::asShared)
+                        .filter(SharedChild.class::isInstance)
+                        .map(SharedChild.class::cast)
                         .ifPresent(child -> returned.put(child, leastRobots(work, t, child)));
             }
         }
@@ -71,7 +75,7 @@ final class SubMissionCases {
     /** Each way in which the sub-missions on its in places let a transition fire; one way where none of them is followed. */
     static List<Map<String, SubMode>> modes(PlanNetWork work, Transition t) {
         List<Map<String, SubMode>> all = new ArrayList<>(List.of(Map.of()));
-        if (TransitionLooks.reachesHeld(work.vocabulary(), t)) {
+        if (EventReach.reachesHeld(work.vocabulary(), t)) {
             return all;
         }
         List<String> subs = subPlaces(work, t);

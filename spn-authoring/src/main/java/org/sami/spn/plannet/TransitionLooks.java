@@ -33,15 +33,6 @@ final class TransitionLooks {
                                 edge.requirements().stream().anyMatch(in -> isTaken(plan.outEdgesOf(t.id()), in)));
     }
 
-    /** Whether it reaches tokens that instances hold (R-INT-5). */
-    static boolean reachesHeld(Vocabulary vocabulary, Transition t) {
-        return t.inputs().stream()
-                .flatMap(input -> vocabulary.event(input.type()).stream())
-                .anyMatch(type -> type.role().isPress()
-                        || type.role() == EventRole.ABORT_RECEIVED
-                        || type.role() == EventRole.COMPLETE_RECEIVED);
-    }
-
     /** Whether its only input event reaches it as an answer or as news: where it must have somebody who is named, one of them is there. */
     static boolean isToldNames(Vocabulary vocabulary, Transition t) {
         return t.inputs().size() == 1

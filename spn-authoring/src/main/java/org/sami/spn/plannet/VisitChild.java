@@ -2,7 +2,6 @@ package org.sami.spn.plannet;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -23,7 +22,7 @@ final class VisitChild extends FollowedChild {
      * @param robots each with a token of its own
      * @param knowsReturns whether the child can only bring back what was given to it
      */
-    VisitChild(MissionPlaces parent, String place, PlanNetWork mission, List<PlanToken> robots, boolean knowsReturns) {
+    VisitChild(MissionPlaces parent, String place, ChildMission mission, List<PlanToken> robots, boolean knowsReturns) {
         super(parent, place, mission, knowsReturns ? robots : List.of());
         this.knowsReturns = knowsReturns;
         count = parent.counter(place, "visitors", token -> true);
@@ -34,11 +33,6 @@ final class VisitChild extends FollowedChild {
     /** Whether it is known what came back: all of it was there before. */
     boolean knowsReturns() {
         return knowsReturns;
-    }
-
-    @Override
-    Optional<VisitChild> asOfVisit() {
-        return Optional.of(this);
     }
 
     @Override
@@ -69,7 +63,7 @@ final class VisitChild extends FollowedChild {
     }
 
     @Override
-    List<CaseArcs> changed(CaseArcs arcs, int edges, boolean isByNobody, boolean isPulled) {
+    public List<CaseArcs> changed(CaseArcs arcs, int edges, boolean isByNobody, boolean isPulled) {
         if (edges == 0) {
             leaveOpen(arcs);
             return List.of(arcs);
@@ -98,10 +92,10 @@ final class VisitChild extends FollowedChild {
     }
 
     @Override
-    void parentStarts(CaseArcs arcs) {}
+    public void parentStarts(CaseArcs arcs) {}
 
     @Override
-    void enteredFirst(CaseArcs arcs) {
+    public void enteredFirst(CaseArcs arcs) {
         forget(arcs);
         start(arcs);
         join(arcs);
