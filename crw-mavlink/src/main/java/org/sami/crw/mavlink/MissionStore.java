@@ -17,8 +17,9 @@ final class MissionStore {
     static final String ANOTHER = "it drives along another mission than it was given";
 
     private static final String NO_SPACE = "MAV_MISSION_NO_SPACE"; // in the words of a refusal
-    private static final int MOST_OFFERED =
-            2_500; // items, which a network brings and reads back well before a base gives up waiting, after 20 s
+    /** Items that a network brings and reads back well before a base gives up waiting for the boat's answer, after 20 s. */
+    private static final int MOST_OFFERED = 2_500;
+
     private static final int MOST_TRIES = 3;
     private static final int MOST_READS = 30; // a vehicle refuses them while another station sends it a mission
     private static final long READ_AGAIN_MS = 1_000;

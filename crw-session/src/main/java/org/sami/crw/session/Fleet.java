@@ -59,7 +59,7 @@ public final class Fleet implements FrontFleet {
             OperatorLog log,
             MissionTitles titles,
             LostLinkWish lostLinkWish,
-            Runnable beforeTheFirst) {
+            Runnable beforeEach) {
         this.connector = connector;
         this.replies = replies;
         this.history = history;
@@ -68,7 +68,7 @@ public final class Fleet implements FrontFleet {
         this.log = log;
         this.titles = titles;
         this.lostLinkWish = lostLinkWish;
-        connections = new FleetConnections(connector, replies, log, remembered, beforeTheFirst);
+        connections = new FleetConnections(connector, replies, log, remembered, beforeEach);
         orders = new BoatOrders(connector, replies, settings, log, remembered);
         listener.onEachBoat(this::found);
     }

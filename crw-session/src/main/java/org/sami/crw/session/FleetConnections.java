@@ -22,25 +22,25 @@ final class FleetConnections {
     private final Replies replies;
     private final OperatorLog log;
     private final Optional<RememberedBoats> remembered;
-    private final Runnable beforeTheFirst;
+    private final Runnable beforeEach;
 
     /**
      * Nothing is connected yet.
      *
      * @param remembered the boats that the journal knows; empty where a session is resumed by running its world again
-     * @param beforeTheFirst called each time before a boat is connected, added or expected
+     * @param beforeEach called each time before a boat is connected, added or expected
      */
     FleetConnections(
             FleetConnector connector,
             Replies replies,
             OperatorLog log,
             Optional<RememberedBoats> remembered,
-            Runnable beforeTheFirst) {
+            Runnable beforeEach) {
         this.connector = connector;
         this.replies = replies;
         this.log = log;
         this.remembered = remembered;
-        this.beforeTheFirst = beforeTheFirst;
+        this.beforeEach = beforeEach;
     }
 
     /**
@@ -54,7 +54,7 @@ final class FleetConnections {
     }
 
     private CompletionStage<String> reach(BoatAddress address) {
-        beforeTheFirst.run();
+        beforeEach.run();
         Replies.Reply<String> reply = replies.open();
         connector.executor().execute(() -> {
             try {
@@ -93,7 +93,7 @@ final class FleetConnections {
      * @return their ids
      */
     CompletionStage<List<String>> addSimulated(String name, GeoPoint start, int count) {
-        beforeTheFirst.run();
+        beforeEach.run();
         return replies.on(connector.executor(), () -> {
             if (count < 1 || count > BoatConnector.MOST_CREATED) {
                 throw new RefusedException("1 to " + BoatConnector.MOST_CREATED + " boats can be added, not " + count);
@@ -110,7 +110,7 @@ final class FleetConnections {
 
     /** A boat of that name is known to be somewhere: missions may want things of it, which wait until an address leads to it. */
     void expect(String boat) {
-        beforeTheFirst.run();
+        beforeEach.run();
         connector.executor().execute(() -> connector.expect(boat));
     }
 
