@@ -14,7 +14,7 @@ final class SnapshotSchedule {
     /** Bytes of a snapshot that waits for nothing but its number of entries. */
     private static final int SMALL = 64 * 1024;
     /** Bytes of entries between large snapshots for each byte of a snapshot. */
-    private static final int ENTRIES_PER_SNAPSHOT = 4;
+    private static final int ENTRIES_PER_SNAPSHOT = 8;
 
     private final int every;
     private final Deque<Long> snapshots;

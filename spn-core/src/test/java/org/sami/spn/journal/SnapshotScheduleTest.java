@@ -20,10 +20,10 @@ class SnapshotScheduleTest {
     }
 
     @Test
-    void aLargeSnapshotWaitsForFourTimesItsBytesOfEntries() {
+    void aLargeSnapshotWaitsForEightTimesItsBytesOfEntries() {
         take(10, 100_000);
 
-        schedule.grew(399_999);
+        schedule.grew(799_999);
         assertThat(schedule.isDue(5_000)).isFalse();
         schedule.grew(1);
         assertThat(schedule.isDue(5_000)).isTrue();
