@@ -76,7 +76,7 @@ final class BaseAndStandby implements AutoCloseable {
 
     /** Starts a console of ben's at the first base, which carries out some lines. */
     CrwProcess console(String... lines) throws IOException {
-        Path script = Files.write(folder.resolve("script"), List.of(lines));
+        Path script = Files.write(folder.resolve("script" + processes.size()), List.of(lines));
         return started(List.of("session", "--session", first(), "--person", "ben", "--script", script.toString()));
     }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.server.log.LoggedCommand;
@@ -128,6 +130,45 @@ class DatabaseGoneTest {
         assertThat(console.out()).doesNotContain("Missions stand still");
     }
 
+    @Test
+    void boatsAreDrivenAndStoppedByHandWhileTheDatabaseIsGone() throws Exception {
+        List<JournalEntry> before = entries();
+        database.kill();
+        assertStandsStill(ProcessClock.ms());
+
+        CrwProcess hand = inConsole("drive anna 0.6 0 10", "back anna", "stop all");
+        Await.until("anna is driven by hand", BaseAndStandby.AT_MOST_S, () -> speedMps() > 0.3);
+        assertEnds(hand);
+        for (String boat : BOATS) {
+            assertThat(commands(boat, FleetStop.class))
+                    .as("the fleet stop reaches " + boat)
+                    .isPositive();
+        }
+        assertThat(health().missionsStandStill()).isTrue();
+
+        assertEnds(inConsole("release all"));
+        database.startAgain();
+        assertGoesOn(before);
+    }
+
+    private CrwProcess inConsole(String... lines) throws Exception {
+        List<String> script = new ArrayList<>(List.of("wait boats 2 within 60"));
+        script.addAll(List.of(lines));
+        script.add("quit");
+        return bases.console(script.toArray(String[]::new));
+    }
+
+    /** A console has carried out each of its lines. */
+    private static void assertEnds(CrwProcess console) throws Exception {
+        assertThat(console.await(120)).as(console.out() + console.err()).isZero();
+    }
+
+    private long commands(String boat, Class<?> type) {
+        return fleet.log(boat).stream()
+                .filter(entry -> type.isInstance(entry.command()))
+                .count();
+    }
+
     /** All fronts say so before the lease of the base is over, by its end it commands nothing, and boats stay where they are. */
     private void assertStandsStill(long beganMs) {
         Await.until("the front tells it", () -> !health().of(HealthKind.JOURNAL).isEmpty());
@@ -167,9 +208,7 @@ class DatabaseGoneTest {
     }
 
     private long startsOf(String boat) {
-        return fleet.log(boat).stream()
-                .filter(entry -> entry.command() instanceof StartWaypoints)
-                .count();
+        return commands(boat, StartWaypoints.class);
     }
 
     /** How many waypoints each list has that a boat was given. */
