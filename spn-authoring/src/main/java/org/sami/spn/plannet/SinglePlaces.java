@@ -2,7 +2,6 @@ package org.sami.spn.plannet;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -29,6 +28,8 @@ import org.sami.spn.model.Transition;
 final class SinglePlaces {
     private static final int MOST_SPOTS = 6;
     private static final int MANY = 1_000;
+    /** So many of the token a sub-mission may bring back from a place outside of a group: more than can leave the group. */
+    private static final int SEVERAL = 2;
 
     private final Plan plan;
     private final TokenWays possible;
@@ -52,33 +53,20 @@ final class SinglePlaces {
 
     /** Groups for the places in which the token never stands twice: each of them is in one at least. */
     List<Set<String>> groups(PlanToken token) {
-        List<String> places = plan.places().stream()
+        return plan.places().stream()
                 .map(Place::id)
                 .filter(place -> possible.comes(place, token))
+                .flatMap(place -> group(place, token).stream())
                 .toList();
-        Set<String> loose = new HashSet<>();
-        while (true) { // until the proofs rest on no place in which the token may stand several times
-            List<Set<String>> groups = new ArrayList<>();
-            places.forEach(place -> group(place, token, loose).ifPresent(groups::add));
-            boolean isProved = true;
-            for (String place : places) {
-                if (groups.stream().noneMatch(group -> group.contains(place))) {
-                    isProved &= !loose.add(place);
-                }
-            }
-            if (isProved) {
-                return groups;
-            }
-        }
     }
 
     /** Adds places from which the token comes until the group has no more of it after any firing. */
-    private Optional<Set<String>> group(String place, PlanToken token, Set<String> loose) {
+    private Optional<Set<String>> group(String place, PlanToken token) {
         Set<String> group = new TreeSet<>(Set.of(place));
         while (!startsWithSeveral(group, token)) {
             Set<String> missing = null;
             for (Transition t : plan.transitions()) {
-                for (Set<String> sources : sourcesOfMore(t, token, group, loose)) {
+                for (Set<String> sources : sourcesOfMore(t, token, group)) {
                     if (sources.isEmpty()) {
                         return Optional.empty();
                     }
@@ -99,7 +87,7 @@ final class SinglePlaces {
     }
 
     /** For each way in which a firing may leave more of the token in the group: where else it stood before. */
-    private List<Set<String>> sourcesOfMore(Transition t, PlanToken token, Set<String> group, Set<String> loose) {
+    private List<Set<String>> sourcesOfMore(Transition t, PlanToken token, Set<String> group) {
         List<String> spots = possible.spots(t, token);
         if (spots.size() > MOST_SPOTS) {
             return List.of(Set.of());
@@ -116,10 +104,10 @@ final class SinglePlaces {
             others.removeAll(group);
             boolean isAtMostOnce = present.size() - others.size() <= 1;
             if (isAtMostOnce
-                    && (mayGrow(t, token, false, present, group, loose)
+                    && (mayGrow(t, token, false, present, group)
                             || (!t.inputs().isEmpty()
                                     && mayBeNamed(t, present)
-                                    && mayGrow(t, token, true, present, group, loose)))) {
+                                    && mayGrow(t, token, true, present, group)))) {
                 found.add(others);
             }
         }
@@ -139,21 +127,21 @@ final class SinglePlaces {
                         .allMatch(edge -> present.contains(edge.place()));
     }
 
-    private boolean mayGrow(
-            Transition t, PlanToken token, boolean isNamed, Set<String> present, Set<String> group, Set<String> loose) {
+    private boolean mayGrow(Transition t, PlanToken token, boolean isNamed, Set<String> present, Set<String> group) {
         List<Selections.Selector> all = selections.getOrDefault(t, new Selections(t, List.of())).all().stream()
                 .filter(s -> isNamed || !s.isOf(TokenKind.RELEVANT))
                 .filter(s -> possible.covers(s.requirement(), t, token) || possible.makes(s.requirement(), t, token))
                 .toList();
         List<String> inside = present.stream().filter(possible::hasSub).toList();
-        int here = most(present, group, loose);
-        int returning = most(inside, group, loose);
+        int returning = inside.stream()
+                .mapToInt(place -> group.contains(place) ? 1 : SEVERAL)
+                .sum();
         for (boolean isReturned : inside.isEmpty() ? new boolean[] {false} : new boolean[] {false, true}) {
             for (boolean isPicked : new boolean[] {false, true}) {
                 int entering = 0;
                 for (Selections.Selector s : all) {
                     if (s.adds() && group.contains(selections(t).target(s.edge()))) {
-                        entering += entering(s, t, token, here, isReturned ? returning : 0, isPicked);
+                        entering += entering(s, t, token, present.size(), isReturned ? returning : 0, isPicked);
                     }
                 }
                 if (entering > leaving(all, present, inside, group, isReturned, isPicked)) {
@@ -162,13 +150,6 @@ final class SinglePlaces {
             }
         }
         return false;
-    }
-
-    /** How many of the token stand in these places at most. */
-    private static int most(Collection<String> places, Set<String> group, Set<String> loose) {
-        return places.stream()
-                .mapToInt(place -> loose.contains(place) && !group.contains(place) ? MANY : 1)
-                .sum();
     }
 
     private Selections selections(Transition t) {

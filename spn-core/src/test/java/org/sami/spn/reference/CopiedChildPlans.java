@@ -7,7 +7,7 @@ import org.sami.spn.value.TextValue;
 
 /**
  * Small random plans that make copies of robots and have a sub-mission that is started for each visit: a copy stays elsewhere, or several copies of one robot come to the place
- * of the sub-mission, together or one after the other. Now and then an interrupt takes robots out. Transitions wait for news of {@link ChildPlans#EVENTS}. A function of the
+ * of the sub-mission, together or one after the other. Now and then an interrupt takes robots out, or nobody enters. Transitions wait for news of {@link ChildPlans#EVENTS}. A function of the
  * seed.
  */
 final class CopiedChildPlans {
@@ -42,15 +42,20 @@ final class CopiedChildPlans {
         }
         net.transition("t0", ChildPlans.EVENTS.get(0));
         net.in("p0", "t0", dice.pick("relevant all", "relevant all", "relevant >= 1", "proxy >= 1", "generic >= 1"));
-        net.out(
-                "t0",
-                "p1",
-                dice.pick("take all relevant", "take all relevant", "take 1 proxy", "take all any", "add all relevant"));
-        net.out(
-                "t0",
-                "p2",
-                dice.pick("add all relevant", "add all relevant", "take all relevant", "add 1 relevant", "always"));
-        int more = 1 + dice.below(2);
+        boolean gathers = dice.chance(40);
+        if (gathers) {
+            gather(net, sub);
+        } else {
+            net.out(
+                    "t0",
+                    "p1",
+                    dice.pick("take all relevant", "take all relevant", "take 1 proxy", "take all any", "add all relevant"));
+            net.out(
+                    "t0",
+                    "p2",
+                    dice.pick("add all relevant", "add all relevant", "take all relevant", "add 1 relevant", "always"));
+        }
+        int more = gathers ? 1 : 1 + dice.below(2);
         for (int i = 1; i <= more; i++) {
             String t = "t" + i;
             if (dice.chance(15)) {
@@ -73,12 +78,30 @@ final class CopiedChildPlans {
             }
         }
         if (dice.chance(20)) {
+            net.transition("send", ChildPlans.EVENTS.get(2)).in("p0", "send", "any >= 1");
+            net.out("send", sub, dice.pick("always", "always", "take 1 generic"));
+        }
+        if (dice.chance(20)) {
             net.transition("stop")
-                    .input("stop", "Interrupt", Map.of("interruptName", new TextValue("stop")), Map.of())
+                    .input("stop", "Interrupt", Map.of("interruptName", new TextValue(EngineMarkings.BUTTON)), Map.of())
                     .in(sub, "stop", dice.pick("relevant >= 1", "always"))
                     .out("stop", dice.pick("p0", "p3"), dice.pick("take all relevant", "take 1 proxy", "add all proxy"));
         }
         return net;
+    }
+
+    /** Several copies of a robot come to another place one by one, and go from there to the sub-mission together. */
+    private void gather(NetBuilder net, String sub) {
+        String from = sub.equals("p1") ? "p2" : "p1";
+        net.out("t0", from, "add all relevant");
+        net.transition("t2", ChildPlans.EVENTS.get(2));
+        net.in(from, "t2", dice.pick("relevant all", "proxy >= 1"));
+        net.out("t2", sub, dice.pick("take all relevant", "take all proxy"));
+        if (dice.chance(50)) {
+            net.transition("t3", dice.pick(ChildPlans.EVENTS.get(1), ChildPlans.EVENTS.get(2)));
+            net.in(sub, "t3", dice.pick("proxy >= 1", "always"));
+            net.out("t3", dice.pick("p0", "p3"), dice.pick("take all sub", "take 1 proxy"));
+        }
     }
 
     private String wanting() {

@@ -40,12 +40,6 @@ class SpoiltCopiesTest {
                         "&& isKnownWhoIsBack(place.id())",
                         ""),
                 plan("the start has one copy at most", "SinglePlaces", "return several.test(token)", "return false"),
-                plan("a place of several copies has one", "SinglePlaces", "!group.contains(place) ? MANY : 1", "true ? 1 : 1"),
-                plan(
-                        "proofs may rest on places of several copies",
-                        "SinglePlaces",
-                        "isProved &= !loose.add(place);",
-                        "loose.add(place);"),
                 plan("nobody enters where copies are", "VisitChild", "edges > 1 || isByNobody", "edges > 1"),
                 plan("who enters by two edges enters once", "VisitChild", "edges > 1 || isByNobody", "isByNobody"),
                 plan("an interrupt takes nobody out", "VisitChild", "if (edges == 0) {\n            leaveOpen(arcs);", "if (edges == 0) {"),
