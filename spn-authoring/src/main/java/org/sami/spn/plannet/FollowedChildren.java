@@ -3,8 +3,10 @@ package org.sami.spn.plannet;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.spn.flow.TokenType;
+import org.sami.spn.model.Action;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
@@ -74,7 +76,9 @@ final class FollowedChildren {
                         place.id(),
                         child,
                         robots().toList(),
-                        !work.possible().isMadeByChildren(place.id())),
+                        robots().filter(token -> work.possible().isLoose(token, place.id()))
+                                .collect(Collectors.toSet()),
+                        !work.possible().isMadeByChildren(place.id()) && isKnownWhoIsBack(place.id())),
                 child);
         abstractions.wider(
                 work.path(place.id()),
@@ -91,6 +95,19 @@ final class FollowedChildren {
 
     private Stream<PlanToken> robots() {
         return work.team().stream().filter(token -> token.type() == TokenType.PROXY);
+    }
+
+    /** Whether who came back is known of robots that stand there several times: all who were brought back are taken together, and all copies. */
+    private boolean isKnownWhoIsBack(String place) {
+        return robots().noneMatch(token -> work.possible().isLoose(token, place))
+                || work.plan().inEdges().stream()
+                        .filter(edge -> edge.place().equals(place))
+                        .flatMap(edge -> work.plan().outEdgesOf(edge.transition()).stream())
+                        .flatMap(out -> out.requirements().stream())
+                        .allMatch(r -> r.takesAll()
+                                || r.action() == Action.ADD
+                                || r.kind() == TokenKind.GENERIC
+                                || r.kind() == TokenKind.UNCONDITIONAL);
     }
 
     /** Whether a firing out of the place may speak of sub-mission tokens of which it is not known whether they came back. */
@@ -143,12 +160,6 @@ final class FollowedChildren {
         if (roles(child.get()).anyMatch(FollowedChildren::isAboutItsOutcome)) {
             return Optional.of(": it may be aborted or completed");
         }
-        boolean isLoose = work.team().stream()
-                .anyMatch(token ->
-                        token.type() != TokenType.GENERIC && work.possible().isLoose(token));
-        if (isLoose) {
-            return Optional.of(": the plan makes copies of boats");
-        }
         if (work.team().stream().noneMatch(token -> work.possible().comes(place.id(), token))) {
             return Optional.of(": no token comes there");
         }
@@ -158,7 +169,7 @@ final class FollowedChildren {
         return Optional.empty();
     }
 
-    /** Whether a boat may be several times in a shared sub-mission, so that one that was brought back may come once more. */
+    /** Whether a boat may be several times in a shared sub-mission, as it may in its place or as the plan copies it, so that one that was brought back may come once more. */
     private boolean copies(Place place, Plan child) {
         PossibleTokens inside = work.possibleIn(place, child);
         return robots().anyMatch(inside::isCopied);

@@ -72,7 +72,8 @@ final class InConditions {
             return least > 0 ? List.of() : List.of(new CaseArcs());
         }
         boolean copies = places.in(place).keySet().stream()
-                .anyMatch(token -> counts.test(token) && token.type() != TokenType.GENERIC && possible.isLoose(token));
+                .anyMatch(token ->
+                        counts.test(token) && token.type() != TokenType.GENERIC && possible.isLoose(token, place));
         return copies ? ofCopies(t, place, r, counted, least) : List.of(exactly(place, r, counts, counted, least));
     }
 

@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.petri.net.PetriNet;
 import org.sami.petri.net.PetriNetBuilder;
-import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
@@ -95,7 +94,7 @@ final class PlanNetWork implements ChildMission {
                 child,
                 team,
                 token -> possible.comes(at.id(), token),
-                token -> token.type() == TokenType.GENERIC && possible.isCopied(token));
+                token -> possible.isLoose(token, at.id()));
     }
 
     @Override

@@ -33,7 +33,7 @@ final class PossibleTokens implements TokenWays {
     private final Map<String, Set<PlanToken>> at = new HashMap<>();
     private final Set<String> byNobody = new HashSet<>();
     private final Set<PlanToken> copied = new HashSet<>();
-    /** Of copied tokens that never stand in one place twice: groups of places of which one at most has the token. */
+    /** Of copied tokens: groups of places that together have the token once at most. */
     private final Map<PlanToken, List<Set<String>>> single = new HashMap<>();
 
     /** How the places with sub-missions are that are followed. */
@@ -84,10 +84,13 @@ final class PossibleTokens implements TokenWays {
             }
         }
         SinglePlaces singles =
-                new SinglePlaces(plan, this, all.stream().anyMatch(token -> token.type() == TokenType.TASK));
+                new SinglePlaces(plan, this, all.stream().anyMatch(token -> token.type() == TokenType.TASK), several);
         copied.stream()
                 .filter(token -> token.type() != TokenType.GENERIC && !token.isMade())
-                .forEach(token -> singles.groups(token).ifPresent(groups -> single.put(token, groups)));
+                .forEach(token -> single.put(token, singles.groups(token)));
+        if (isLoose(PlanToken.ROBOTS)) {
+            single.remove(PlanToken.ROBOTS); // robots that are not told apart are counted in all places, or in none
+        }
     }
 
     private PossibleTokens(PossibleTokens of, Map<String, SubMode> modes, BiPredicate<String, PlanToken> returns) {
@@ -243,9 +246,16 @@ final class PossibleTokens implements TokenWays {
         return copied.contains(token);
     }
 
-    /** Whether several of a token may stand in one place. */
+    /** Whether several of a token may stand in some place. */
     boolean isLoose(PlanToken token) {
-        return isCopied(token) && !single.containsKey(token);
+        return at.keySet().stream().anyMatch(place -> isLoose(token, place));
+    }
+
+    /** Whether several of a token may stand in a place. */
+    boolean isLoose(PlanToken token, String place) {
+        return isCopied(token)
+                && comes(place, token)
+                && single.getOrDefault(token, List.of()).stream().noneMatch(group -> group.contains(place));
     }
 
     /** Whether a token may stand in all of these places at once. */

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import org.sami.spn.model.Action;
 import org.sami.spn.model.InEdge;
 import org.sami.spn.model.Match;
@@ -18,48 +19,51 @@ import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
 
 /**
- * Looks for groups of places that together hold a copied token at most once: no firing puts more of it into the group than it takes out. Where each place is in such a
- * group the token stands in several places, but never twice in one, and the net need not lose count of it.
+ * Looks for groups of places that together hold a copied token at most once: no firing puts more of it into the group than it takes out. In a place of such a group the
+ * token never stands twice, and the net need not lose count of it there.
  *
  * <p>The proof goes firing by firing: supposing that each group has the token at most once, none has it twice afterwards. What enters is counted from above, what leaves
- * from below.
+ * from below. In a place that no group has the token may stand any number of times.
  */
 final class SinglePlaces {
     private static final int MOST_SPOTS = 6;
     private static final int MANY = 1_000;
+    /** So many of the token a sub-mission may bring back from a place outside of a group: more than can leave the group. */
+    private static final int SEVERAL = 2;
 
     private final Plan plan;
     private final TokenWays possible;
     private final boolean hasTasks;
+    private final Predicate<PlanToken> several;
     private final Map<Transition, Selections> selections = new LinkedHashMap<>();
 
-    /** @param hasTasks whether the team has tasks: then a robot may be named that stands in no in place */
-    SinglePlaces(Plan plan, TokenWays possible, boolean hasTasks) {
+    /**
+     * Looks at one plan.
+     *
+     * @param hasTasks whether the team has tasks: then a robot may be named that stands in no in place
+     * @param several the tokens of which several may stand in the start place at first
+     */
+    SinglePlaces(Plan plan, TokenWays possible, boolean hasTasks, Predicate<PlanToken> several) {
         this.plan = plan;
         this.possible = possible;
         this.hasTasks = hasTasks;
+        this.several = several;
         plan.transitions().forEach(t -> selections.put(t, new Selections(t, plan.outEdgesOf(t.id()))));
     }
 
-    /** A group for each place to which the token can come; empty where one of them has none. */
-    Optional<List<Set<String>>> groups(PlanToken token) {
-        List<Set<String>> groups = new ArrayList<>();
-        for (Place place : plan.places()) {
-            if (possible.comes(place.id(), token)) {
-                Optional<Set<String>> group = group(place.id(), token);
-                if (group.isEmpty()) {
-                    return Optional.empty();
-                }
-                groups.add(group.get());
-            }
-        }
-        return Optional.of(groups);
+    /** Groups for the places in which the token never stands twice: each of them is in one at least. */
+    List<Set<String>> groups(PlanToken token) {
+        return plan.places().stream()
+                .map(Place::id)
+                .filter(place -> possible.comes(place, token))
+                .flatMap(place -> group(place, token).stream())
+                .toList();
     }
 
     /** Adds places from which the token comes until the group has no more of it after any firing. */
     private Optional<Set<String>> group(String place, PlanToken token) {
         Set<String> group = new TreeSet<>(Set.of(place));
-        while (true) {
+        while (!startsWithSeveral(group, token)) {
             Set<String> missing = null;
             for (Transition t : plan.transitions()) {
                 for (Set<String> sources : sourcesOfMore(t, token, group)) {
@@ -74,6 +78,12 @@ final class SinglePlaces {
             }
             group.add(missing.iterator().next());
         }
+        return Optional.empty();
+    }
+
+    private boolean startsWithSeveral(Set<String> group, PlanToken token) {
+        return several.test(token)
+                && plan.startPlace().filter(start -> group.contains(start.id())).isPresent();
     }
 
     /** For each way in which a firing may leave more of the token in the group: where else it stood before. */
@@ -123,12 +133,15 @@ final class SinglePlaces {
                 .filter(s -> possible.covers(s.requirement(), t, token) || possible.makes(s.requirement(), t, token))
                 .toList();
         List<String> inside = present.stream().filter(possible::hasSub).toList();
+        int returning = inside.stream()
+                .mapToInt(place -> group.contains(place) ? 1 : SEVERAL)
+                .sum();
         for (boolean isReturned : inside.isEmpty() ? new boolean[] {false} : new boolean[] {false, true}) {
             for (boolean isPicked : new boolean[] {false, true}) {
                 int entering = 0;
                 for (Selections.Selector s : all) {
                     if (s.adds() && group.contains(selections(t).target(s.edge()))) {
-                        entering += entering(s, t, token, present.size(), isReturned ? inside.size() : 0, isPicked);
+                        entering += entering(s, t, token, present.size(), isReturned ? returning : 0, isPicked);
                     }
                 }
                 if (entering > leaving(all, present, inside, group, isReturned, isPicked)) {

@@ -104,7 +104,8 @@ final class TokenOptions {
 
     /** Whether a token of which there may be several goes wherever it stands, and nothing depends on where. */
     private boolean isTakenAnywhere(PlanToken token, List<String> spots) {
-        return possible.isLoose(token)
+        return possible.isCopied(token)
+                && spots.stream().allMatch(spot -> possible.isLoose(token, spot))
                 && spots.stream().noneMatch(possible::hasSub)
                 && selections.all().stream()
                         .anyMatch(s -> s.removes()
@@ -255,7 +256,7 @@ final class TokenOptions {
             one.removed.addAll(removed ? option.present : List.of());
             for (String place : left) {
                 int at = places.of(place, one.token).getAsInt();
-                if (possible.isLoose(one.token)) {
+                if (possible.isLoose(one.token, place)) {
                     one.arcs.empty(at);
                 } else {
                     one.arcs.remove(at, 1);
@@ -293,7 +294,7 @@ final class TokenOptions {
         if (!removed) {
             return List.of(List.of());
         }
-        boolean isOnce = !possible.isLoose(option.token);
+        boolean isOnce = option.present.stream().noneMatch(spot -> possible.isLoose(option.token, spot));
         boolean isMade = isReturned && option.present.stream().noneMatch(possible::hasSub);
         if (!possible.isCopied(option.token)) {
             return List.of(option.present);
@@ -320,7 +321,7 @@ final class TokenOptions {
         for (int edge : option.edges) {
             String target = selections.target(edge);
             int at = places.of(target, option.token).getAsInt();
-            if (possible.isLoose(option.token)) {
+            if (possible.isLoose(option.token, target)) {
                 option.arcs.set(at);
             } else {
                 option.arcs.add(at, 1);

@@ -36,6 +36,9 @@ final class TransitionCases {
     private final Set<String> watched;
     private final boolean mustHaveRelevant;
     private final boolean hasTasks;
+    /** The tokens of which several may stand in one of its in places. */
+    private final Set<PlanToken> loose = new HashSet<>();
+
     private final Set<Object> known = new HashSet<>();
     private final WakenedCases wakened;
     private final SubMissionCases subs;
@@ -64,6 +67,9 @@ final class TransitionCases {
                                 && (r.match() == Match.ALL
                                         || ((r.match() == Match.AT_LEAST || r.match() == Match.EXACTLY) && r.n() > 0)));
         hasTasks = work.team().stream().anyMatch(token -> token.type() == TokenType.TASK);
+        work.team().stream()
+                .filter(token -> ins.stream().anyMatch(edge -> possible.isLoose(token, edge.place())))
+                .forEach(loose::add);
     }
 
     private List<InRequirement> requirements() {
@@ -216,8 +222,7 @@ final class TransitionCases {
     private void join(List<TokenOption> chosen, List<TokenOption> robots, CaseArcs ofRobots, GenericOption generic)
             throws PlanNetTooLargeException {
         boolean isLoose = chosen.stream()
-                .anyMatch(o -> work.possible().isLoose(o.token)
-                        || (work.possible().isCopied(o.token) && o.present.size() > 1));
+                .anyMatch(o -> loose.contains(o.token) || (work.possible().isCopied(o.token) && o.present.size() > 1));
         if (!MetRequirements.fits(selections.numbers(), chosen, generic.picked, generic.more, isLoose)) {
             return;
         }

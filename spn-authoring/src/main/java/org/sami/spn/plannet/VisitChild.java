@@ -10,7 +10,9 @@ import java.util.Set;
  */
 final class VisitChild extends FollowedChild {
     private final boolean knowsReturns;
-    private final int count;
+    /** The places of the net of which one is marked while somebody stands in the place. */
+    private final List<Integer> visitors = new ArrayList<>();
+
     private final int complete;
     private final int unused;
 
@@ -20,12 +22,26 @@ final class VisitChild extends FollowedChild {
      * @param place of the parent's plan
      * @param mission the child's
      * @param robots each with a token of its own
-     * @param knowsReturns whether the child can only bring back what was given to it
+     * @param loose the robots of which several may stand in the place: of these it is followed whether any do
+     * @param knowsReturns whether the child can only bring back what was given to it, and all of it is taken at once
      */
-    VisitChild(MissionPlaces parent, String place, ChildMission mission, List<PlanToken> robots, boolean knowsReturns) {
+    VisitChild(
+            MissionPlaces parent,
+            String place,
+            ChildMission mission,
+            List<PlanToken> robots,
+            Set<PlanToken> loose,
+            boolean knowsReturns) {
         super(parent, place, mission, knowsReturns ? robots : List.of());
         this.knowsReturns = knowsReturns;
-        count = parent.counter(place, "visitors", token -> true);
+        if (!loose.containsAll(parent.in(place).keySet())) {
+            visitors.add(parent.counter(place, "visitors", token -> !loose.contains(token)));
+        }
+        parent.in(place).forEach((token, at) -> {
+            if (loose.contains(token)) {
+                visitors.add(at);
+            }
+        });
         complete = parent.control(place + ".complete", place + ": its sub-mission is complete", 0);
         unused = parent.control(place + ".unused", place + ": its completion is not used yet", 0);
     }
@@ -44,7 +60,7 @@ final class VisitChild extends FollowedChild {
     void suppose(SubMode mode, CaseArcs arcs) {
         switch (mode) {
             case VACANT -> {
-                arcs.below(count, 1);
+                visitors.forEach(at -> arcs.below(at, 1));
                 parent().nobody(place()).ifPresent(nobody -> arcs.below(nobody, 1));
             }
             case COMPLETE -> arcs.atLeast(complete, 1);
@@ -77,13 +93,15 @@ final class VisitChild extends FollowedChild {
             enteredFirst(first);
         }
         cases.add(first);
-        CaseArcs second = arcs.copy();
-        second.atLeast(count, 1);
-        leaveOpen(second);
-        cases.add(second);
+        for (int at : visitors) {
+            CaseArcs second = arcs.copy();
+            second.atLeast(at, 1);
+            leaveOpen(second);
+            cases.add(second);
+        }
         parent().nobody(place()).ifPresent(nobody -> {
             CaseArcs third = arcs.copy();
-            third.below(count, 1);
+            visitors.forEach(at -> third.below(at, 1));
             third.atLeast(nobody, 1);
             leaveOpen(third);
             cases.add(third);

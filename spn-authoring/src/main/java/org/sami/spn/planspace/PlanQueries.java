@@ -36,6 +36,9 @@ public final class PlanQueries {
 
     private static final String IF_IT_COMES = ", if what is waited for comes";
 
+    private static final String SUB_MISSIONS_OPEN =
+            "; what sub-missions do was left open, as the search that followed them did not tell";
+
     private final PlanNet net;
     private final PlanNetNames names;
     private final QueryRunner runner;
@@ -47,11 +50,12 @@ public final class PlanQueries {
     private final boolean structure;
     private Optional<SaturatedQueries> saturated = Optional.empty();
     private Optional<PlanQueries> named = Optional.empty();
+    private Optional<PlanQueries> opened = Optional.empty();
     private int looked;
 
     /**
      * Queries about a plan's net. Where it counts robots, queries that name one are asked of the net that names them; where it follows only whether there are any, all
-     * queries that this does not answer.
+     * queries that this does not answer. Where it follows sub-missions and its search does not tell, they are asked of the smaller net that leaves these open.
      *
      * @param budget of each search
      */
@@ -166,6 +170,21 @@ public final class PlanQueries {
         }
     }
 
+    /** What the smaller net says that leaves open what sub-missions do; empty where that does not tell either, or cannot be asked. */
+    private Optional<PlanQueryAnswer> answerWithSubMissionsOpen(PlanQuery query) {
+        try {
+            if (opened.isEmpty()) {
+                PlanNet smaller = PlanNet.smallest(net.request().toDepth(0));
+                opened = Optional.of(new PlanQueries(smaller, budget, watch, structure));
+            }
+            return Optional.of(opened.get().answer(query))
+                    .filter(answer -> answer.verdict() != NetVerdict.UNKNOWN)
+                    .map(answer -> answer.adding(SUB_MISSIONS_OPEN));
+        } catch (PlanNetTooLargeException tooLarge) {
+            return Optional.empty();
+        }
+    }
+
     private PlanQueryAnswer answer(PlanQuery query, NetQuery asked) {
         Optional<StructuralQueries.Answer> proved =
                 looked >= budget.states() ? Optional.empty() : proofs.flatMap(some -> some.answer(asked));
@@ -178,6 +197,12 @@ public final class PlanQueries {
             return answerByName(query);
         }
         QueryAnswer found = without.orElseGet(() -> runner.answer(asked));
+        if (found.verdict() == NetVerdict.UNKNOWN && net.followsSubMissions() && !watch.isCancelled()) {
+            Optional<PlanQueryAnswer> open = answerWithSubMissionsOpen(query);
+            if (open.isPresent()) {
+                return open.get();
+            }
+        }
         boolean happens = isThatItHappens(asked, found);
         boolean isAProof = found.verdict() != NetVerdict.UNKNOWN && (happens || isWhole(found));
         Optional<PlanWitness> witness = found.witness().map(run -> witnesses.of(run, query, asked));

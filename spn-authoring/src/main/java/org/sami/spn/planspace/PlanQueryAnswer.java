@@ -55,6 +55,11 @@ public record PlanQueryAnswer(
         return new PlanQueryAnswer(query, result, NetVerdict.UNKNOWN, false, words, Optional.empty(), List.of(), 0, 0);
     }
 
+    /** The same with more words behind it. */
+    PlanQueryAnswer adding(String more) {
+        return new PlanQueryAnswer(query, result, verdict, isFault, words + more, witness, proof, states, nanos);
+    }
+
     /**
      * What the structure of the net proves.
      *

@@ -27,6 +27,18 @@ class SubMissionQueriesTest {
     }
 
     private static Project project(String whatTheChildWaitsFor, boolean isShared) {
+        return project(
+                new NetBuilder("child")
+                        .start("c")
+                        .output("c", "Do")
+                        .end("e")
+                        .transition("u", "Done")
+                        .in("c", "u", whatTheChildWaitsFor)
+                        .out("u", "e", "take all proxy"),
+                isShared);
+    }
+
+    private static Project project(NetBuilder child, boolean isShared) {
         return NetBuilder.project(
                 new NetBuilder("p")
                         .start("a")
@@ -41,19 +53,17 @@ class SubMissionQueriesTest {
                         .in("run", "back", "proxy >= 1")
                         .out("back", "z", "take all sub")
                         .build(),
-                new NetBuilder("child")
-                        .start("c")
-                        .output("c", "Do")
-                        .end("e")
-                        .transition("u", "Done")
-                        .in("c", "u", whatTheChildWaitsFor)
-                        .out("u", "e", "take all proxy")
-                        .build());
+                child.build());
     }
 
     private static PlanQueryAnswer answer(Project project, int depth, String query) throws PlanNetTooLargeException {
+        return answer(project, depth, query, ENOUGH);
+    }
+
+    private static PlanQueryAnswer answer(Project project, int depth, String query, SearchBudget budget)
+            throws PlanNetTooLargeException {
         PlanNetRequest request = new PlanNetRequest(project, TestVocabulary.TEST, "p", List.of("A")).toDepth(depth);
-        return new PlanQueries(PlanNet.smallest(request), ENOUGH, GraphWatch.NONE)
+        return new PlanQueries(PlanNet.smallest(request), budget, GraphWatch.NONE)
                 .answer(new PlanQuery("q", query, PlanQuery.Expected.YES));
     }
 
@@ -73,6 +83,23 @@ class SubMissionQueriesTest {
         assertThat(answer(project, 0, "home ended").verdict()).isEqualTo(NetVerdict.YES);
         assertThat(answer(project, 1, "home ended").verdict()).isEqualTo(NetVerdict.NO);
         assertThat(answer(project, 1, "reachable ended").verdict()).isEqualTo(NetVerdict.NO);
+    }
+
+    /** The child goes through six places, the plan alone through two. */
+    @Test
+    void whatTheSearchWithSubMissionsDoesNotTellThePlanAloneIsAsked() throws PlanNetTooLargeException {
+        SearchBudget few = new SearchBudget(5, 64L << 20, Duration.ofMinutes(5));
+        NetBuilder child = new NetBuilder("child").start("c0").end("e");
+        for (int i = 0; i < 5; i++) {
+            child.places("c" + (i + 1)).transition("u" + i, "Done").in("c" + i, "u" + i, "proxy >= 1");
+            child.out("u" + i, "c" + (i + 1), "take all proxy");
+        }
+        child.transition("u", "Done").in("c5", "u", "proxy >= 1").out("u", "e", "take all proxy");
+
+        PlanQueryAnswer answer = answer(project(child, false), 1, "home ended", few);
+
+        assertThat(answer.verdict()).isEqualTo(NetVerdict.YES);
+        assertThat(answer.words()).contains("what sub-missions do was left open");
     }
 
     @Test

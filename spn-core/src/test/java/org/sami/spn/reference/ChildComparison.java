@@ -26,12 +26,15 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.testing.TestVocabulary;
 
-/** Compares nets that follow sub-missions with the engine, on random plans in which news of every type may come at any time. */
+/** Compares nets that follow sub-missions with the engine, on random plans in which news of every type, and presses of a button, may come at any time. */
 final class ChildComparison {
     private static final int DEPTH = 2;
     private static final int MOST_TRANSITIONS = 3_000;
     private static final int LENGTH = 40;
     private static final int WALKS = 3;
+    /** Of a hundred inputs so many are presses of the button, where the plan has it. */
+    private static final int PRESSES = 20;
+
     private static final List<String> ROBOTS = List.of("A", "B");
     private static final SearchBudget SMALL = new SearchBudget(3_000, 256L << 20, Duration.ofMinutes(15));
 
@@ -92,6 +95,7 @@ final class ChildComparison {
         EngineState state = engine.newState();
         ROBOTS.forEach(robot -> engine.step(state, 0, new Input.ProxyJoined(robot)));
         FollowedNet followed = new FollowedNet(net, 1);
+        boolean hasButton = EngineMarkings.hasButton(net);
         Input input = new Input.StartMission("main", "m", Map.of());
         List<Input> inputs = new ArrayList<>();
         for (int i = 0; i < LENGTH; i++) {
@@ -106,8 +110,10 @@ final class ChildComparison {
             if (!difference.isEmpty()) {
                 return Optional.of(inputs + ": " + difference);
             }
-            input = new Input.Received(Occurrence.news(
-                    dice.pick(ChildPlans.EVENTS), dice.chance(80) ? dice.some(ROBOTS) : List.of(), Map.of()));
+            input = hasButton && dice.chance(PRESSES)
+                    ? new Input.Interrupt(1, EngineMarkings.BUTTON, dice.some(ROBOTS))
+                    : new Input.Received(Occurrence.news(
+                            dice.pick(ChildPlans.EVENTS), dice.chance(80) ? dice.some(ROBOTS) : List.of(), Map.of()));
         }
         ofChildren.addAndGet(followed.firingsOfChildren());
         return Optional.empty();

@@ -197,4 +197,90 @@ class ChildSessionsTest {
                         news("News", "A")))
                 .isGreaterThanOrEqualTo(6);
     }
+
+    /** A stays in {@code q0}, so it comes a second time while it is in the sub-mission: two visits by one robot, of which the net follows the first. */
+    @Test
+    void aRobotVisitsAPlaceTwiceAtOnce() throws PlanNetTooLargeException {
+        Project project = NetBuilder.project(copying("add all relevant").build(), child().build());
+
+        assertThat(FollowedSession.net(project, List.of("A")).open()).hasSize(1);
+        assertThat(followed(project, START, news("Other", "A"), news("News", "A"), news("Other", "A")))
+                .isEqualTo(4);
+        assertThat(followed(
+                        project,
+                        START,
+                        news("Other", "A"),
+                        news("Other", "A", "B"),
+                        news("News", "A"),
+                        news("News", "B")))
+                .isGreaterThanOrEqualTo(4);
+    }
+
+    /** Both copies are in one visit, and in one instance of the child, which brings both back. */
+    @Test
+    void twoCopiesOfARobotVisitAPlaceTogether() throws PlanNetTooLargeException {
+        Project project = NetBuilder.project(
+                new NetBuilder("main")
+                        .start("q0")
+                        .places("q1", "q2", "q3")
+                        .sub("q1", "child")
+                        .transition("copy", "Chosen")
+                        .in("q0", "copy", "relevant all")
+                        .out("copy", "q3", "add all relevant")
+                        .transition("enter", "Other")
+                        .in("q3", "enter", "relevant all")
+                        .out("enter", "q1", "take all relevant")
+                        .transition("leave")
+                        .in("q1", "leave", "always")
+                        .out("leave", "q2", "take all sub")
+                        .build(),
+                child().build());
+
+        assertThat(followed(
+                        project,
+                        START,
+                        news("Chosen", "A"),
+                        news("Chosen", "A"),
+                        news("Other", "A"),
+                        news("News", "A")))
+                .isEqualTo(5);
+    }
+
+    /** Only where a robot may stand twice the net loses count: of the place with the sub-mission it does not. */
+    @Test
+    void aCopyThatStaysElsewhereIsInNoSubMission() throws PlanNetTooLargeException {
+        Project project = NetBuilder.project(
+                copying("take all relevant")
+                        .places("q3")
+                        .out("enter", "q3", "add all relevant")
+                        .transition("back", "Done")
+                        .in("q2", "back", "relevant all")
+                        .out("back", "q0", "take all relevant")
+                        .build(),
+                child().build());
+
+        assertThat(FollowedSession.net(project, List.of("A")).open()).hasSize(1);
+        assertThat(followed(
+                        project,
+                        START,
+                        news("Other", "A"),
+                        news("News", "A"),
+                        news("Done", "A"),
+                        news("Other", "A"),
+                        news("Failed")))
+                .isEqualTo(7);
+    }
+
+    private static NetBuilder copying(String entering) {
+        return new NetBuilder("main")
+                .start("q0")
+                .places("q1", "q2")
+                .sub("q1", "child")
+                .transition("enter", "Other")
+                .in("q0", "enter", "relevant all")
+                .out("enter", "q1", entering)
+                .transition("leave")
+                .in("q1", "leave", "always")
+                .out("leave", "q2", "take all sub");
+    }
 }

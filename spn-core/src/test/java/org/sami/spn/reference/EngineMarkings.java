@@ -21,7 +21,7 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Token;
 
 /**
- * The markings to which the engine brings the mission of a small plan, after each firing, where news of every type may come at any time and name any of the robots. One
+ * The markings to which the engine brings the mission where news of every type may come at any time and name any of the robots. each firing, where news of every type may come at any time and name any of the robots. One
  * state of each marking is followed, by news that lets a transition fire at once; random runs have news that waits as well.
  */
 final class EngineMarkings {
@@ -29,10 +29,17 @@ final class EngineMarkings {
     private static final int WALKS = 10;
     private static final int LENGTH = 30;
 
+    /** What is written on the button of plans that have one. */
+    static final String BUTTON = "stop";
+
+
     private final Engine engine;
     private final PlanNet net;
     private final List<Input> news = new ArrayList<>();
     private final Set<String> all = new TreeSet<>();
+    /** Whether the net counts how often a robot stands in a place; else it follows whether it does. */
+    private final boolean countsCopies;
+
     private boolean isWhole;
 
     EngineMarkings(PlanNet net, List<String> events) {
@@ -43,6 +50,18 @@ final class EngineMarkings {
                 news.add(new Input.Received(Occurrence.news(event, named(names), Map.of())));
             }
         }
+        for (int names = 0; hasButton(net) && names < 1 << net.request().robots().size(); names++) {
+            news.add(new Input.Interrupt(1, BUTTON, named(names)));
+        }
+        countsCopies = net.abstractions().stream().noneMatch(a -> a.text().contains("copies of"));
+    }
+
+    /** Whether the plan has a transition that waits for the button. */
+    static boolean hasButton(PlanNet net) {
+        return net.request().project().plan(net.request().plan()).stream()
+                .flatMap(plan -> plan.transitions().stream())
+                .flatMap(t -> t.inputs().stream())
+                .anyMatch(input -> input.type().equals("Interrupt"));
     }
 
     private List<String> named(int bits) {
@@ -127,14 +146,19 @@ final class EngineMarkings {
                 .toList();
     }
 
-    private static String words(FollowedMarking marking, List<Long> missions) {
+    private String words(FollowedMarking marking, List<Long> missions) {
         List<String> words = new ArrayList<>();
         missions.forEach(mission -> {
             SortedMap<String, SortedMap<String, Integer>> seen = new TreeMap<>();
             marking.marking(mission)
-                    .forEach((place, tokens) -> tokens.forEach(token -> seen.computeIfAbsent(
-                                    place, p -> new TreeMap<>())
-                            .merge(token instanceof Token.Proxy robot ? robot.proxy() : "generic", 1, Integer::sum)));
+                    .forEach((place, tokens) -> tokens.forEach(token -> {
+                        SortedMap<String, Integer> here = seen.computeIfAbsent(place, p -> new TreeMap<>());
+                        if (token instanceof Token.Proxy robot) {
+                            here.merge(robot.proxy(), 1, countsCopies ? Integer::sum : Math::max);
+                        } else {
+                            here.merge("generic", 1, Integer::sum);
+                        }
+                    }));
             words.add(seen.toString());
         });
         return String.join(" ", words);

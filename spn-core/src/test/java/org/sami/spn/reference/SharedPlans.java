@@ -1,20 +1,24 @@
 package org.sami.spn.reference;
 
+import java.util.Map;
 import org.sami.spn.model.Project;
 import org.sami.spn.testing.NetBuilder;
+import org.sami.spn.value.TextValue;
 
 /**
  * Small random plans with a shared sub-mission: who enters its place joins it, and it returns them one by one or together. It may stand in the start place, be ended, run
- * another sub-mission, or be run by one that is started for each visit. Transitions wait for news of {@link ChildPlans#EVENTS}; those of one plan sometimes for the same. A
- * function of the seed.
+ * another sub-mission, or be run by one that is started for each visit. Transitions wait for news of {@link ChildPlans#EVENTS}; those of one plan sometimes for the same. Now and then a
+ * button takes robots out, or nobody enters. A function of the seed.
  */
 final class SharedPlans {
     private static final int FIRST_OF_CHILD = 3;
 
     private final Dice dice;
+    private final Dice button;
 
     private SharedPlans(long seed) {
         dice = new Dice(seed * 163 + 29);
+        button = new Dice(seed * 167 + 31);
     }
 
     static Project project(long seed) {
@@ -68,6 +72,20 @@ final class SharedPlans {
             if (dice.chance(10)) {
                 net.out(t, sub.equals(to) ? "p2" : sub, dice.pick("always", "take all generic"));
             }
+        }
+        if (button.chance(20)) {
+            net.transition("stop")
+                    .input(
+                            "stop",
+                            "Interrupt",
+                            Map.of("interruptName", new TextValue(EngineMarkings.BUTTON)),
+                            Map.of())
+                    .in(sub, "stop", button.pick("relevant >= 1", "always"))
+                    .out("stop", button.pick("p0", "p2"), button.pick("take all relevant", "take 1 proxy"));
+        }
+        if (button.chance(20)) {
+            net.transition("send", ChildPlans.EVENTS.get(2)).in("p0", "send", "any >= 1");
+            net.out("send", sub.equals("p0") ? "p1" : sub, "always");
         }
         return net;
     }

@@ -24,6 +24,8 @@ class SpoiltSharedTest {
     static Stream<Arguments> lines() {
         return Stream.of(
                 shared("who enters does not join", "join(joined);", ""),
+                shared("an interrupt takes nobody out", "if (isPulled || isByNobody) {", "if (isByNobody) {"),
+                shared("nobody enters and changes nothing", "if (isPulled || isByNobody) {", "if (isPulled) {"),
                 shared("nobody joins one that runs", "joined.atLeast(running, 1);", "joined.below(running, 1);"),
                 shared("nobody enters one that is over", "cases.add(over);", ""),
                 shared("what waits in its start place is not told", "inner.isPresent()", "false && inner.isPresent()"),
