@@ -15,9 +15,9 @@ import org.sami.boat.link.Progress;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.VehicleCommand;
+import org.sami.mavlink.vehicle.HeardLink;
 import org.sami.mavlink.vehicle.StatusText;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -78,7 +78,7 @@ final class VehiclePaths {
     }
 
     private boolean isOnNetwork() {
-        return motion.vehicle().links().stream().noneMatch(MavlinkAddress.Serial.class::isInstance);
+        return motion.vehicle().heardOn().stream().noneMatch(HeardLink::slow);
     }
 
     /** Where the vehicle is under way to, for giving way. */

@@ -51,6 +51,7 @@ public final class MavlinkLink implements AutoCloseable {
     private Optional<String> fault = Optional.empty();
     private Optional<Connected> connected = Optional.empty();
     private final Map<SignatureFault, Long> refused = new EnumMap<>(SignatureFault.class);
+    private boolean hasRadio;
     private Optional<Integer> rssi = Optional.empty();
     private Optional<Integer> remoteRssi = Optional.empty();
     private long earlierBytes;
@@ -151,7 +152,7 @@ public final class MavlinkLink implements AutoCloseable {
                     "it speaks MAVLink 1 only; set the autopilot's port to MAVLink 2 (ArduPilot: SERIALn_PROTOCOL 2)");
         }
         return new MavlinkLinkReport(
-                address, state, wrong, bytes, count.messages(), count.lost(), refused, rssi, remoteRssi);
+                address, state, wrong, bytes, count.messages(), count.lost(), refused, hasRadio, rssi, remoteRssi);
     }
 
     private void run() {
@@ -258,6 +259,7 @@ public final class MavlinkLink implements AutoCloseable {
     }
 
     private synchronized void strengths(RadioStatus radio) {
+        hasRadio = true;
         rssi = strength(radio.rssi());
         remoteRssi = strength(radio.remrssi());
     }

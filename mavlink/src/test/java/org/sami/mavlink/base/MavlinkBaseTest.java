@@ -28,6 +28,8 @@ import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.link.MavlinkLinkState;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.testing.SensorMessages;
+import org.sami.mavlink.testing.SmallBoat;
 import org.sami.mavlink.testing.SmallVehicle;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -160,6 +162,25 @@ class MavlinkBaseTest {
         assertThat(faultAt("", true)).startsWith("what listens there closes the link without a word: look at");
         assertThat(faultAt("220 mail.local ESMTP\r\n", true))
                 .startsWith("what answers there speaks no MAVLink and closes the link: look at");
+    }
+
+    @Test
+    void radioThatReportsItselfOnANetworkMakesItASlowLink() throws Exception {
+        try (SmallBoat boat = new SmallBoat(3, 45.7, 10.72, 1);
+                MavlinkBase base = base(boat.address())) {
+            Await.until("it is known", () -> !vehicles(base).isEmpty());
+            assertThat(vehicles(base).get(0).heardOn().get(0).slow()).isFalse();
+            assertThat(base.plans().join().values())
+                    .allSatisfy(plan -> assertThat(plan.filledPart()).isEmpty());
+
+            boat.sends(SensorMessages.radio(180));
+
+            Await.until(
+                    "it is slow", () -> vehicles(base).get(0).heardOn().get(0).slow());
+            assertThat(base.links().get(0).rssi()).contains(180);
+            assertThat(base.plans().join().values())
+                    .allSatisfy(plan -> assertThat(plan.bytesPerSecond()).hasValue(5_760));
+        }
     }
 
     @Test
