@@ -165,6 +165,24 @@ class MavlinkBaseTest {
     }
 
     @Test
+    void webServerThatClosesIsNamedAlsoOnceTheLinkIsOpenAgain() throws Exception {
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+                MavlinkBase base = base("mavlink:tcp:127.0.0.1:" + server.getLocalPort())) {
+            try (Socket socket = server.accept()) {
+                write(socket, "HTTP/1.1 400 Bad Request\r\n\r\n".getBytes(StandardCharsets.ISO_8859_1));
+                Await.until("it has come", () -> base.links().get(0).bytes() > 0);
+            }
+            try (Socket again = server.accept()) {
+                Await.until("it is open again", () -> base.links().get(0).state() == MavlinkLinkState.OPEN);
+
+                assertThat(base.links().get(0).fault())
+                        .hasValueSatisfying(fault -> assertThat(fault).startsWith("a web server answers there"));
+                assertThat(again.isConnected()).isTrue();
+            }
+        }
+    }
+
+    @Test
     void radioThatReportsItselfOnANetworkMakesItASlowLink() throws Exception {
         try (SmallBoat boat = new SmallBoat(3, 45.7, 10.72, 1);
                 MavlinkBase base = base(boat.address())) {
