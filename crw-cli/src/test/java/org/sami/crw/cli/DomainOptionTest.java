@@ -40,6 +40,25 @@ class DomainOptionTest {
     }
 
     @Test
+    void experimentOfCoptersRuns() {
+        CommandResult ran = CommandResult.crw(
+                "experiment",
+                "--domain",
+                "uav",
+                "first-flight",
+                "--boats",
+                "2",
+                "--seeds",
+                "1..2",
+                "--conditions",
+                "calm");
+
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        assertThat(ran.err()).contains("2 of 2 runs ended");
+        assertThat(ran.out()).contains("first-flight").doesNotContain("boat");
+    }
+
+    @Test
     void domainOfAFolderIsTakenFromThere() {
         CommandResult tested = CommandResult.crw("test", "--domain", FOLDER, "search");
         CommandResult shown = CommandResult.crw("phases", "--domain", FOLDER, "search");

@@ -75,7 +75,7 @@ final class AutopilotCommands {
                 ? new CopterMotion(base, first, thread)
                 : new VehicleMotion(base, first, thread);
         paths = new VehiclePaths(base, motion, thread, radiusM, broadcast, this::remember, alarm, kept);
-        aside = new StepAside(name, motion, paths, alarm);
+        aside = new StepAside(name, motion, paths.targets(), alarm);
         stoppedBy = kept.stoppedBy();
     }
 

@@ -9,6 +9,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.mission.HeldKind;
+import org.sami.mavlink.mission.ListRefusedException;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /** The mission that a vehicle holds: brings a list there and knows whether it is there, read back. For the gateway's thread. */
@@ -16,7 +17,6 @@ final class MissionStore {
     /** Why a list is not brought to a vehicle that drives along something else. */
     static final String ANOTHER = "it drives along another mission than it was given";
 
-    private static final String NO_SPACE = "MAV_MISSION_NO_SPACE"; // in the words of a refusal
     /** Items that a network brings and reads back well before a base gives up waiting for the boat's answer, after 20 s. */
     private static final int MOST_OFFERED = 2_500;
 
@@ -172,7 +172,7 @@ final class MissionStore {
             MissionWindow part = list.window();
             boolean isOffered = isOffered(list.whole().size());
             list.window(isOffered ? list.whole() : part); // this one, whatever an earlier base has brought there
-            Results.when(
+            Results.whenOrFailed(
                     base.replace(id, HeldKind.MISSION, list.window().items()),
                     thread,
                     there -> {
@@ -182,14 +182,15 @@ final class MissionStore {
                             again(list, "vehicle " + id + " holds another mission than was sent");
                         }
                     },
-                    why -> {
-                        if (isOffered && why.contains(NO_SPACE)) {
+                    failed -> {
+                        boolean isFull = failed instanceof ListRefusedException refused && refused.isOutOfSpace();
+                        if (isOffered && isFull) {
                             tooMany = list.whole().size();
                             list.window(part.size() < tooMany ? part : list.windowFrom(list.next()));
                             send(list);
                         } else {
                             list.window(part);
-                            again(list, why);
+                            again(list, Results.words(failed));
                         }
                     });
         }

@@ -12,12 +12,19 @@ final class Results {
     /** Calls {@code result} with the value on that thread; calls {@code fault} with the reason, in words, where the request failed. */
     static <T> void when(
             CompletableFuture<T> asked, Executor thread, Consumer<? super T> result, Consumer<String> fault) {
-        var unused = asked.whenComplete((value, thrown) -> thread.execute(() -> Optional.ofNullable(thrown)
-                .ifPresentOrElse(why -> fault.accept(words(why)), () -> result.accept(value))));
+        whenOrFailed(asked, thread, result, failed -> fault.accept(words(failed)));
     }
 
-    private static String words(Throwable thrown) {
-        Throwable cause = Optional.ofNullable(thrown.getCause()).orElse(thrown);
-        return Optional.ofNullable(cause.getMessage()).orElse(cause.toString());
+    /** The same, but calls {@code fault} with what has failed, such as a refusal by the vehicle. */
+    static <T> void whenOrFailed(
+            CompletableFuture<T> asked, Executor thread, Consumer<? super T> result, Consumer<Throwable> fault) {
+        var unused = asked.whenComplete((value, thrown) -> thread.execute(() -> Optional.ofNullable(thrown)
+                .map(failed -> Optional.ofNullable(failed.getCause()).orElse(failed))
+                .ifPresentOrElse(fault, () -> result.accept(value))));
+    }
+
+    /** Why a request failed, in words. */
+    static String words(Throwable failed) {
+        return Optional.ofNullable(failed.getMessage()).orElse(failed.toString());
     }
 }

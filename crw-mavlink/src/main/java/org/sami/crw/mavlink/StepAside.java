@@ -21,7 +21,7 @@ final class StepAside {
 
     private final String name;
     private final VehicleMotion motion;
-    private final VehiclePaths paths;
+    private final PathTargets targets;
     private final Consumer<String> alarm;
     private final VehicleGivingWay rule;
     private long freeSinceMs;
@@ -37,10 +37,10 @@ final class StepAside {
      *
      * @param alarm receives what the operator should know
      */
-    StepAside(String name, VehicleMotion motion, VehiclePaths paths, Consumer<String> alarm) {
+    StepAside(String name, VehicleMotion motion, PathTargets targets, Consumer<String> alarm) {
         this.name = name;
         this.motion = motion;
-        this.paths = paths;
+        this.targets = targets;
         this.alarm = alarm;
         rule = new VehicleGivingWay(name);
     }
@@ -58,7 +58,7 @@ final class StepAside {
     void tick(long atMs) {
         nowMs = atMs;
         VehicleSnapshot vehicle = motion.vehicle();
-        Optional<VehicleTarget> target = paths.target();
+        Optional<VehicleTarget> target = targets.target();
         Optional<VehiclePosition> at = vehicle.position()
                 .filter(known -> vehicle.located() && known.headingDeg().isPresent());
         if (target.isEmpty() || at.isEmpty() || !motion.isHeard()) { // ArduPilot stops where nobody steers it for 3 s
@@ -72,7 +72,7 @@ final class StepAside {
 
     /** A vehicle at the end of its path moves aside for one that has to come by. */
     private void makeRoom(Optional<VehiclePosition> at) {
-        Optional<Waypoint> end = paths.end();
+        Optional<Waypoint> end = targets.end();
         if (end.isEmpty()) {
             rule.leaveStation();
         } else if (at.isPresent() && motion.isHeard() && !motion.isBusy() && nowMs >= tryFromMs) {
@@ -105,7 +105,7 @@ final class StepAside {
             steeredMs = nowMs;
             motion.steerAside(new GuidedCourse(chosen.courseRad(), chosen.speedMps()));
         }
-        boolean isThrough = rule.isArrived() && !paths.passes(target);
+        boolean isThrough = rule.isArrived() && !targets.passes(target);
         boolean isFree = nowMs - freeSinceMs >= FREE_MS && rule.canGoOn();
         if ((isThrough || isFree) && !motion.isBusy() && nowMs >= tryFromMs) {
             goOn(target);
@@ -137,7 +137,7 @@ final class StepAside {
     private void goOn(VehicleTarget target) {
         tryFromMs = nowMs + RETRY_MS;
         goesOn = true;
-        paths.goOn(target, why -> {
+        targets.goOn(target, why -> {
             goesOn = false;
             if (why.isEmpty()) {
                 tryFromMs = nowMs;

@@ -189,6 +189,13 @@ final class VehicleBoat implements BaseSession.Boat {
         session.ifPresent(told -> told.linkStatuses(VehicleLinkStatuses.of(vehicle, links, plans, atMs)));
     }
 
+    /** A link does not work: the base is told, where it is one of this vehicle's. Whether it is, and a base is there. */
+    boolean toldBroken(MavlinkAddress link, String why) {
+        boolean isOwn = vehicle.links().contains(link);
+        session.filter(told -> isOwn).ifPresent(told -> told.say(Priority.HIGH, link + " does not work: " + why));
+        return isOwn && session.isPresent();
+    }
+
     /** The fence that it is to hold by itself. */
     void keepTo(SessionFence area) {
         fence.want(area.of(flies));

@@ -43,6 +43,7 @@ final class VehicleLinks {
     private final Map<Integer, InetSocketAddress> homes = new HashMap<>(); // where the session reaches each
     private final List<Waiting> waiting = new ArrayList<>();
     private final List<Several> several = new ArrayList<>();
+    private final BrokenLinks broken = new BrokenLinks();
     private List<VehicleSnapshot> vehicles = List.of();
     private SessionFence fence = SessionFence.NONE; // that each vehicle is to hold
     private long ticks;
@@ -117,6 +118,11 @@ final class VehicleLinks {
     private void tell(Map<MavlinkAddress, MessagePlan> plans, long atMs) {
         List<MavlinkLinkReport> links = base.links();
         boats.values().forEach(boat -> boat.links(links, plans, atMs));
+        for (MavlinkLinkReport link : broken.found(links)) {
+            String why = link.fault().orElse("it cannot be opened");
+            var unused =
+                    boats.values().stream().anyMatch(boat -> boat.toldBroken(link.address(), why)); // one base has all
+        }
     }
 
     private void take(List<VehicleSnapshot> now, long atMs) {
@@ -149,8 +155,9 @@ final class VehicleLinks {
             default -> false;
         };
         if (!isOfKind) {
-            return Optional.of("vehicle " + vehicle.id() + " is a "
-                    + vehicle.kind().word() + ", and here only boats and copters are commanded");
+            return Optional.of(
+                    "vehicle " + vehicle.id() + " is a " + vehicle.kind().word()
+                            + ", and here only boats and copters are commanded: give the address or number of one of these");
         }
         return vehicle.autopilot().equals(ARDUPILOT)
                 ? Optional.empty()

@@ -79,6 +79,11 @@ class VehicleMotion {
         return pilot.ordered().isPresent();
     }
 
+    /** Whether it drives along its mission, or stands at the end of it. */
+    boolean isInAuto() {
+        return vehicle().armed() && vehicle().mode().equals(AUTO);
+    }
+
     /** Whether an order is being carried out. */
     boolean isBusy() {
         return pilot.isBusy();

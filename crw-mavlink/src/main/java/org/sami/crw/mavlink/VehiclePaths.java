@@ -15,9 +15,9 @@ import org.sami.boat.link.Progress;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
-import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.VehicleCommand;
+import org.sami.mavlink.vehicle.HeardLink;
 import org.sami.mavlink.vehicle.StatusText;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -31,6 +31,7 @@ final class VehiclePaths {
     private final VehicleMotion motion;
     private final MissionStore store;
     private final MissionProgress judged;
+    private final PathTargets targets;
     private final StalledListDetector gate = new StalledListDetector();
     private final Consumer<LinkMessage> broadcast;
     private final Runnable changed;
@@ -61,21 +62,28 @@ final class VehiclePaths {
                 base,
                 motion.vehicle().id(),
                 thread,
-                this::isInAuto,
+                motion::isInAuto,
                 this::isOnNetwork,
                 this::further,
                 held -> another(),
                 alarm);
         judged = new MissionProgress(motion, store, () -> list, radiusM, this::progressed, alarm);
+        targets = new PathTargets(
+                motion,
+                () -> list,
+                held -> !isMission(held) || store.holds(list),
+                this::speedOf,
+                () -> broadcast.accept(progress()));
         list = kept.list().map(upload -> DrivenList.kept(upload, kept.heldTo(), kept.next(), motion.flies()));
     }
 
-    private boolean isInAuto() {
-        return motion.vehicle().armed() && motion.vehicle().mode().equals(VehicleMotion.AUTO);
+    private boolean isOnNetwork() {
+        return motion.vehicle().heardOn().stream().noneMatch(HeardLink::slow);
     }
 
-    private boolean isOnNetwork() {
-        return motion.vehicle().links().stream().noneMatch(MavlinkAddress.Serial.class::isInstance);
+    /** Where the vehicle is under way to, for giving way. */
+    PathTargets targets() {
+        return targets;
     }
 
     // ---- how far it is
@@ -153,68 +161,10 @@ final class VehiclePaths {
     void tick(long atMs) {
         store.tick(atMs);
         gate.stays(motion.vehicle(), atMs)
-                .filter(number -> isInAuto() && motion.isOrdered())
+                .filter(number -> motion.isInAuto() && motion.isOrdered())
                 .ifPresent(number -> {
                     var unused = base.command(motion.vehicle().id(), VehicleCommand.setCurrentItem(number));
                 });
-    }
-
-    // ---- giving way
-
-    /** The waypoint to which it is under way by order of the base; empty where it is not. */
-    Optional<VehicleTarget> target() {
-        boolean isUnderWay = motion.vehicle().armed()
-                && (motion.isAside() || motion.isGuided() || (isInAuto() && motion.isOrdered()));
-        return list.filter(held -> isUnderWay
-                        && !held.isCompleted()
-                        && !held.waypoints().isEmpty()
-                        && (!isMission(held) || motion.isGuided() || store.holds(list)))
-                .map(held -> new VehicleTarget(
-                        held.id(),
-                        held.next(),
-                        held.waypoints().get(held.next()),
-                        speedOf(held.next()),
-                        held.next() == held.waypoints().size() - 1));
-    }
-
-    /** The end of its path, where it lies by order of the base; empty where it does not, and for copters. */
-    Optional<Waypoint> end() {
-        boolean isKept = motion.vehicle().armed()
-                && !motion.isAside()
-                && (motion.isGuided() || (isInAuto() && motion.isOrdered()));
-        return list.filter(held -> isKept
-                        && !motion.flies()
-                        && held.isCompleted()
-                        && !held.waypoints().isEmpty()
-                        && (!isMission(held) || motion.isGuided() || store.holds(list)))
-                .map(held -> held.waypoints().get(held.waypoints().size() - 1));
-    }
-
-    /** It has come to its target while it gives way. Whether it can go on to the next one without its autopilot. */
-    boolean passes(VehicleTarget target) {
-        boolean passes = !target.isLast() && list.orElseThrow().has(target.index() + 1);
-        if (passes && list.get().advance(target.index() + 1)) {
-            broadcast.accept(progress());
-        }
-        return passes;
-    }
-
-    /** Has it go on by itself, to where it was under way when it gave way. */
-    void goOn(VehicleTarget to, Consumer<Optional<String>> ended) {
-        if (to.isLast()) {
-            motion.goOn(to.place(), to.speedMps(), ended);
-        } else {
-            DrivenList along = list.orElseThrow();
-            motion.goOn(
-                    new VehicleMotion.Leg(
-                            Optional.of(along.itemOf(to.index())),
-                            Optional.empty(),
-                            false,
-                            to.speedMps(),
-                            () -> {},
-                            () -> {}),
-                    ended);
-        }
     }
 
     /** A further part of a list is held. */
@@ -252,7 +202,7 @@ final class VehiclePaths {
             broadcast.accept(progress());
             list.filter(this::isMission).ifPresent(store::put);
         };
-        if (isUnderWay || isInAuto() || motion.isSettingOff()) {
+        if (isUnderWay || motion.isInAuto() || motion.isSettingOff()) {
             motion.hold(why -> why.ifPresentOrElse(words -> answer.accept(refused(upload, words)), taken));
         } else {
             taken.run();
@@ -295,7 +245,8 @@ final class VehiclePaths {
 
     /** What a vehicle has passed while no base commanded it lies behind it. */
     private void catchUp(DrivenList along) {
-        if (isInAuto() && motion.vehicle().currentItem().filter(along::current).isPresent()) {
+        if (motion.isInAuto()
+                && motion.vehicle().currentItem().filter(along::current).isPresent()) {
             broadcast.accept(along.progress());
         }
     }
@@ -331,7 +282,7 @@ final class VehiclePaths {
 
     /** What the vehicle does not hold is sent while it keeps its place. */
     private void follow(DrivenList along, int index, Consumer<Optional<String>> ended) {
-        if (isInAuto() && !(along.has(index) && store.holds(list))) {
+        if (motion.isInAuto() && !(along.has(index) && store.holds(list))) {
             motion.hold(why -> why.ifPresentOrElse(words -> ended.accept(why), () -> drive(along, index, ended)));
         } else {
             drive(along, index, ended);
@@ -367,7 +318,7 @@ final class VehiclePaths {
 
     /** Whether the vehicle drives along the list already, and to that waypoint or a later one. */
     private boolean isPast(DrivenList along, int index) {
-        return isInAuto()
+        return motion.isInAuto()
                 && !along.isCompleted()
                 && along.next() >= index
                 && motion.vehicle()

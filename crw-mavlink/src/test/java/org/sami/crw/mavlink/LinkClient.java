@@ -24,6 +24,7 @@ import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.SlowableClock;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.gateway.GatewayLink;
+import org.sami.crw.proxy.gateway.LinkStatus;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.mavlink.link.SigningKey;
 import org.sami.spn.protocol.Priority;
@@ -101,6 +102,11 @@ final class LinkClient implements AutoCloseable {
     /** How many messages of a kind the vehicle has said over this connection. */
     long count(Class<? extends LinkMessage> kind) {
         return said.stream().filter(kind::isInstance).count();
+    }
+
+    /** The links on which the vehicle is reached. */
+    List<LinkStatus> linkStatuses() {
+        return link.linkStatuses();
     }
 
     /** The area in which the vehicle may go. */

@@ -2,6 +2,11 @@ package org.sami.crw.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -44,6 +49,45 @@ class RefusedVehicleTest {
             world.connect(boat.address());
 
             isSaid(world, "it speaks MAVLink 1 only; set the autopilot's port to MAVLink 2", () -> {});
+        }
+    }
+
+    @Test
+    void planeIsRefusedWithWhatToGiveInItsPlace() {
+        boat.reports().isPlane();
+        try (GatewayWorld world = new GatewayWorld(folder)) {
+            world.connect(boat.address());
+
+            isSaid(
+                    world,
+                    "vehicle 5 is a plane, and here only boats and copters are commanded: give the address or number"
+                            + " of one of these",
+                    () -> {});
+        }
+    }
+
+    /** Refuses whatever comes, as web servers do, and closes. */
+    private static void refuseAll(ServerSocket server) {
+        try {
+            while (true) {
+                try (Socket socket = server.accept()) {
+                    socket.getOutputStream()
+                            .write("HTTP/1.1 400 Bad Request\r\n\r\n".getBytes(StandardCharsets.ISO_8859_1));
+                }
+            }
+        } catch (IOException e) {
+            // the test is over
+        }
+    }
+
+    @Test
+    void webServerIsNamedAtTheAddressOfAVehicle() throws Exception {
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+                GatewayWorld world = new GatewayWorld(folder)) {
+            new Thread(() -> refuseAll(server)).start();
+            world.connect("mavlink:tcp:127.0.0.1:" + server.getLocalPort());
+
+            isSaid(world, "a web server answers there, and no vehicle: look at host and port", () -> {});
         }
     }
 

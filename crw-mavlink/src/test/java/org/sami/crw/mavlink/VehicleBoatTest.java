@@ -305,6 +305,21 @@ class VehicleBoatTest {
     }
 
     @Test
+    void firmwareWithoutACommandIsNamedWithWhatToDo() {
+        boat.faults().lacksCommand(176); // DO_SET_MODE
+
+        submit(path(FIRST));
+
+        Await.until(
+                "the command fails",
+                GatewayWorld.WAIT_S,
+                () -> world.has(
+                        FleetEvent.CommandFailed.class,
+                        failed -> failed.reason().contains("(its firmware lacks this command: update it)")));
+        assertThat(boat.isArmed()).isFalse();
+    }
+
+    @Test
     void afterARestartOfItsAutopilotItDoesNotMoveBeforeThatIsAllowed() {
         submit(path(FIRST, SECOND, THIRD));
         world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);

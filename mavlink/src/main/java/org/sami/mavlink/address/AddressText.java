@@ -1,6 +1,7 @@
 package org.sami.mavlink.address;
 
 import java.util.Objects;
+import java.util.OptionalInt;
 
 /** Reads addresses as people write them. */
 public final class AddressText {
@@ -20,11 +21,14 @@ public final class AddressText {
             String rest = text.substring(MavlinkAddress.PREFIX.length());
             int colon = rest.indexOf(':');
             String kind = colon < 0 ? rest : rest.substring(0, colon);
-            String where = colon < 0 ? "" : rest.substring(colon + 1);
+            String all = colon < 0 ? "" : rest.substring(colon + 1);
+            int option = all.indexOf('?');
+            String where = option < 0 ? all : all.substring(0, option);
+            OptionalInt speed = option < 0 ? OptionalInt.empty() : OptionalInt.of(speed(kind, all.substring(option)));
             return switch (kind) {
-                case "tcp" -> new MavlinkAddress.Tcp(before(where), number("port", after(where)));
-                case "udp" -> new MavlinkAddress.UdpListen(number("port", where));
-                case "udpout" -> new MavlinkAddress.UdpSend(before(where), number("port", after(where)));
+                case "tcp" -> new MavlinkAddress.Tcp(before(where), number("port", after(where)), speed);
+                case "udp" -> new MavlinkAddress.UdpListen(number("port", ofThisMachine(where)), speed);
+                case "udpout" -> new MavlinkAddress.UdpSend(before(where), number("port", after(where)), speed);
                 case "serial" -> new MavlinkAddress.Serial(before(where), number("baud rate", after(where)));
                 default -> throw new IllegalArgumentException("there is no kind of link \"" + kind + "\"");
             };
@@ -32,6 +36,25 @@ public final class AddressText {
             throw new IllegalArgumentException(
                     "\"" + text + "\" is no MAVLink address: " + e.getMessage() + "; it is " + MavlinkAddress.FORMS, e);
         }
+    }
+
+    /** Of what stands after a port: the speed of the radio behind it. */
+    private static int speed(String kind, String option) {
+        if (kind.equals("serial")) {
+            throw new IllegalArgumentException("a serial port has its baud rate, and nothing after it: " + option);
+        } else if (!option.startsWith(RadioSpeed.OPTION)) {
+            throw new IllegalArgumentException(
+                    "after the port stands " + RadioSpeed.OPTION + "N or nothing, not " + option);
+        }
+        return number("baud rate", option.substring(RadioSpeed.OPTION.length()));
+    }
+
+    private static String ofThisMachine(String where) {
+        if (where.contains(":")) {
+            throw new IllegalArgumentException(
+                    "udp listens on a port of this machine and takes no host; to a host it is udpout");
+        }
+        return where;
     }
 
     /** What stands before the last colon: hosts of IPv6 and devices may have colons themselves. */

@@ -4,15 +4,14 @@ import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.Semaphore;
 import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.link.LinkEnd;
@@ -20,6 +19,7 @@ import org.sami.mavlink.link.LinkSigning;
 import org.sami.mavlink.link.MavlinkLink;
 import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.link.ReceivedMessage;
+import org.sami.mavlink.vehicle.RadioSignals;
 
 /** The links of a base: receives on all of them, sends on one. Safe for use by several threads. */
 final class BaseLinks implements AutoCloseable {
@@ -65,15 +65,16 @@ final class BaseLinks implements AutoCloseable {
         add(address).ifPresent(MavlinkLink::start);
     }
 
-    /** How strong the signal of each radio is at its weaker end. */
-    Map<MavlinkAddress, Integer> strengths() {
-        Map<MavlinkAddress, Integer> strengths = new HashMap<>();
-        for (MavlinkLinkReport report : reports()) {
-            Stream.of(report.rssi(), report.remoteRssi())
-                    .flatMap(Optional::stream)
-                    .forEach(one -> strengths.merge(report.address(), one, Math::min));
-        }
-        return strengths;
+    /** The radios that report themselves. */
+    RadioSignals radios() {
+        return new RadioSignals(reports().stream()
+                .filter(MavlinkLinkReport::hasRadio)
+                .collect(Collectors.toMap(
+                        MavlinkLinkReport::address,
+                        report -> Stream.of(report.rssi(), report.remoteRssi())
+                                .flatMap(Optional::stream)
+                                .mapToInt(Integer::intValue)
+                                .min())));
     }
 
     /** Begins to open them; returns at once. */

@@ -268,7 +268,7 @@ public final class MavlinkBase implements AutoCloseable {
     private void tick() {
         if (ticks++ % HEARTBEAT_TICKS == 0) {
             links.sendHeartbeat();
-            table.strengths(links.strengths());
+            table.radios(links.radios());
         }
         long now = nowMs.getAsLong();
         requests.tick(now);

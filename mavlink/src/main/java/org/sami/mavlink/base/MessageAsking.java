@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.BiConsumer;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -45,8 +46,9 @@ final class MessageAsking {
                 .filter(id -> table.linkOf(id).equals(Optional.of(link)))
                 .count();
         MessagePlan known = plans.get(link);
-        if (known == null || known.vehicles() != vehicles) {
-            known = MessagePlan.of(link, vehicles, signed);
+        OptionalInt baud = table.radios().speedBaud(link);
+        if (known == null || !known.isFor(baud, vehicles)) {
+            known = MessagePlan.of(baud, vehicles, signed);
             plans.put(link, known);
         }
         return known;
@@ -70,6 +72,7 @@ final class MessageAsking {
                 boolean other = before == null
                         || !before.link().equals(link)
                         || !before.plan().messages().equals(plan.messages())
+                        || before.plan().isTight() != plan.isTight() // a radio has reported itself there
                         || (table.isPositionOld(vehicle) && nowMs - before.atMs() >= AGAIN_MS);
                 if (other && settled) {
                     asked.put(vehicle, new Asked(link, plan, nowMs));

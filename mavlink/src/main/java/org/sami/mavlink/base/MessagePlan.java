@@ -2,6 +2,7 @@ package org.sami.mavlink.base;
 
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.sami.mavlink.address.MavlinkAddress;
 
 /**
@@ -37,9 +38,16 @@ public record MessagePlan(List<AskedMessage> messages, int vehicles, boolean sig
 
     /** The plan for so many vehicles that share a link. */
     public static MessagePlan of(MavlinkAddress address, int vehicles, boolean signed) {
-        OptionalDouble carried = address instanceof MavlinkAddress.Serial serial
-                ? OptionalDouble.of(serial.baud() / BITS)
-                : OptionalDouble.empty();
+        return of(address.speedBaud(), vehicles, signed);
+    }
+
+    /**
+     * The plan for so many vehicles that share a link of a speed.
+     *
+     * @param baud empty where it does not matter (networks)
+     */
+    static MessagePlan of(OptionalInt baud, int vehicles, boolean signed) {
+        OptionalDouble carried = carried(baud);
         double each = WANTED.stream()
                 .mapToDouble(message -> message.bytesPerSecond(signed))
                 .sum();
@@ -48,6 +56,15 @@ public record MessagePlan(List<AskedMessage> messages, int vehicles, boolean sig
         double factor = free <= 0 ? SLOWEST : Math.min(SLOWEST, Math.max(1, each / free));
         return new MessagePlan(
                 WANTED.stream().map(message -> message.slower(factor)).toList(), vehicles, signed, carried);
+    }
+
+    private static OptionalDouble carried(OptionalInt baud) {
+        return baud.isPresent() ? OptionalDouble.of(baud.getAsInt() / BITS) : OptionalDouble.empty();
+    }
+
+    /** Whether it is made for so many vehicles and a link of this speed. */
+    boolean isFor(OptionalInt baud, int count) {
+        return count == vehicles && bytesPerSecond.equals(carried(baud));
     }
 
     /** What one vehicle sends, its heartbeat included, bytes a second. */

@@ -36,7 +36,8 @@ public record CommandOutcome(VehicleId vehicle, VehicleCommand command, CommandV
             case REPLACED, CANCELLED -> " before it could ";
             default -> " to ";
         };
-        String line = "vehicle " + vehicle + " " + verdict.words() + joint + command.does();
+        String why = verdict == CommandVerdict.UNKNOWN_TO_IT ? " (its firmware lacks this command: update it)" : "";
+        String line = "vehicle " + vehicle + " " + verdict.words() + joint + command.does() + why;
         return said.isEmpty() ? line : line + ": " + String.join("; ", said);
     }
 }

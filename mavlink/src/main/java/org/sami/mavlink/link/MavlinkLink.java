@@ -51,6 +51,8 @@ public final class MavlinkLink implements AutoCloseable {
     private Optional<String> fault = Optional.empty();
     private Optional<Connected> connected = Optional.empty();
     private final Map<SignatureFault, Long> refused = new EnumMap<>(SignatureFault.class);
+    private Optional<String> stranger = Optional.empty(); // what has answered there before the last break
+    private boolean hasRadio;
     private Optional<Integer> rssi = Optional.empty();
     private Optional<Integer> remoteRssi = Optional.empty();
     private long earlierBytes;
@@ -145,13 +147,16 @@ public final class MavlinkLink implements AutoCloseable {
         if (wrong.isEmpty() && state == MavlinkLinkState.OPEN && count.messages() == 0) {
             Optional<String> noise =
                     Optional.of(StrangePeer.NOISE).filter(words -> refused.isEmpty() && bytes > STRANGE_BYTES);
-            wrong = connected.flatMap(now -> StrangePeer.of(now.in().first())).or(() -> noise);
+            wrong = connected
+                    .flatMap(now -> StrangePeer.of(now.in().first()))
+                    .or(() -> stranger)
+                    .or(() -> noise);
         } else if (wrong.isEmpty() && firstVersionOnly) {
             wrong = Optional.of(
                     "it speaks MAVLink 1 only; set the autopilot's port to MAVLink 2 (ArduPilot: SERIALn_PROTOCOL 2)");
         }
         return new MavlinkLinkReport(
-                address, state, wrong, bytes, count.messages(), count.lost(), refused, rssi, remoteRssi);
+                address, state, wrong, bytes, count.messages(), count.lost(), refused, hasRadio, rssi, remoteRssi);
     }
 
     private void run() {
@@ -258,6 +263,7 @@ public final class MavlinkLink implements AutoCloseable {
     }
 
     private synchronized void strengths(RadioStatus radio) {
+        hasRadio = true;
         rssi = strength(radio.rssi());
         remoteRssi = strength(radio.remrssi());
     }
@@ -268,6 +274,7 @@ public final class MavlinkLink implements AutoCloseable {
 
     private synchronized void broken(String why) {
         earlierBytes += connected.map(now -> now.in().bytes()).orElse(0L);
+        stranger = connected.flatMap(now -> StrangePeer.of(now.in().first())).or(() -> stranger);
         connected = Optional.empty();
         state = MavlinkLinkState.BROKEN;
         fault = Optional.of(why);

@@ -12,6 +12,7 @@ import org.sami.mavlink.address.MavlinkAddress;
  * @param messages how many messages came that could be read
  * @param lost the part of the messages that did not come, 0 to 1, by the numbers that senders give them
  * @param refused how many messages were refused for their signatures, and why
+ * @param hasRadio whether a radio reports itself there
  * @param rssi the radio's strength of signal here, 0 to 254 as the radio counts; empty where no radio reports it
  * @param remoteRssi the same at the other end
  */
@@ -23,6 +24,7 @@ public record MavlinkLinkReport(
         long messages,
         double lost,
         Map<SignatureFault, Long> refused,
+        boolean hasRadio,
         Optional<Integer> rssi,
         Optional<Integer> remoteRssi) {
     /** A report. */

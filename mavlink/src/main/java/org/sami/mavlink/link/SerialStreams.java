@@ -43,7 +43,7 @@ record SerialStreams(SerialPort port) implements LinkStreams {
         boolean denied = device.startsWith("/") && !(Files.isReadable(path) && Files.isWritable(path));
         return denied
                 ? "this user may not use " + device + ": join the group that owns it (often dialout), and log in again"
-                : device + " cannot be opened: another program may hold it";
+                : device + " cannot be opened: another program may hold it, or it is no serial port";
     }
 
     @Override

@@ -5,7 +5,7 @@ import java.util.Optional;
 /** A transfer that knows how it ended. Used by one thread. */
 abstract class AbstractListTransfer implements ListTransfer {
     private boolean done;
-    private Optional<String> failure = Optional.empty();
+    private Optional<IllegalStateException> failure = Optional.empty();
 
     /** It has ended well. */
     final void succeed() {
@@ -18,6 +18,11 @@ abstract class AbstractListTransfer implements ListTransfer {
      * @param why in words for people
      */
     final void fail(String why) {
+        fail(new IllegalStateException(why));
+    }
+
+    /** It has failed, for a reason that says so in words for people. */
+    final void fail(IllegalStateException why) {
         failure = Optional.of(why);
     }
 
@@ -32,7 +37,7 @@ abstract class AbstractListTransfer implements ListTransfer {
     }
 
     @Override
-    public final Optional<String> failure() {
+    public final Optional<IllegalStateException> failure() {
         return failure;
     }
 }

@@ -113,8 +113,7 @@ public final class HeldLists {
         ListTransfer transfer = over.transfer.orElseThrow();
         if (transfer.failure().isPresent()) {
             known.remove(over.kind);
-            over.result.completeExceptionally(
-                    new IllegalStateException(transfer.failure().get()));
+            over.result.completeExceptionally(transfer.failure().get());
             return;
         }
         List<MissionItem> items = transfer instanceof ListReplacement replacement

@@ -56,7 +56,8 @@ final class ListClearing extends AbstractListTransfer {
         if (ack.type().entry() == MavMissionResult.MAV_MISSION_ACCEPTED) {
             succeed();
         } else {
-            fail("vehicle " + vehicle + " does not empty its " + kind.words() + ": " + MissionWords.of(ack.type()));
+            fail(new ListRefusedException(
+                    "vehicle " + vehicle + " does not empty its " + kind.words() + ": ", ack.type()));
         }
     }
 }

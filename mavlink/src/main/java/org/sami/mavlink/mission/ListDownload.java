@@ -135,7 +135,8 @@ public final class ListDownload extends AbstractListTransfer {
                 && ack.type().entry() != MavMissionResult.MAV_MISSION_ACCEPTED
                 && ack.type().entry() != MavMissionResult.MAV_MISSION_INVALID_SEQUENCE // these two may be late answers
                 && ack.type().entry() != MavMissionResult.MAV_MISSION_ERROR) { // to an upload before
-            fail("vehicle " + vehicle + " refuses to send its " + kind.words() + ": " + MissionWords.of(ack.type()));
+            fail(new ListRefusedException(
+                    "vehicle " + vehicle + " refuses to send its " + kind.words() + ": ", ack.type()));
         }
     }
 

@@ -108,7 +108,9 @@ public final class ListReplacement extends AbstractListTransfer {
             again(step.failure().get(), wasPart, nowMs);
         } else if (step instanceof ListDownload download) {
             readBack = download.items();
-            difference().ifPresentOrElse(why -> again(why, true, nowMs), () -> isHeld(readBack, nowMs));
+            difference()
+                    .ifPresentOrElse(
+                            why -> again(new IllegalStateException(why), true, nowMs), () -> isHeld(readBack, nowMs));
         } else if (!later.isEmpty() && step instanceof ListUpload upload && upload.isTaken()) {
             isHeld(items, nowMs);
         } else {
@@ -125,7 +127,7 @@ public final class ListReplacement extends AbstractListTransfer {
         }
     }
 
-    private void again(String why, boolean worthIt, long nowMs) {
+    private void again(IllegalStateException why, boolean worthIt, long nowMs) {
         if (worthIt && rounds < ROUNDS) {
             rounds++;
             next(whole(), nowMs);

@@ -16,6 +16,6 @@ interface ListTransfer {
     /** Whether it has ended, well or not. */
     boolean isOver();
 
-    /** Why it failed, in words for people; empty where it did not. */
-    Optional<String> failure();
+    /** Why it failed, with words for people, a {@link ListRefusedException} where the vehicle refused; empty where it did not fail. */
+    Optional<IllegalStateException> failure();
 }

@@ -46,7 +46,7 @@ final class ListUpload extends AbstractListTransfer {
     private boolean taken;
     private int rounds;
     private boolean hastens; // sends before it is asked
-    private Optional<String> notReady = Optional.empty();
+    private Optional<IllegalStateException> notReady = Optional.empty();
     private double lost; // the part of the items, lately, that had to be sent again
     private int tries;
     private int asked; // the item that was asked for last
@@ -130,8 +130,8 @@ final class ListUpload extends AbstractListTransfer {
         }
         if (!began) {
             if (tries == TRIES) {
-                fail(notReady.orElse(
-                        "vehicle " + vehicle + " does not answer when it is to be sent a " + kind.words()));
+                fail(notReady.orElseGet(() -> new IllegalStateException(
+                        "vehicle " + vehicle + " does not answer when it is to be sent a " + kind.words())));
             } else {
                 announce(nowMs);
             }
@@ -209,8 +209,10 @@ final class ListUpload extends AbstractListTransfer {
                 || (what == MavMissionResult.MAV_MISSION_ERROR && asked >= from)) {
             again(MissionWords.of(result), nowMs);
         } else {
-            String refusal = "vehicle " + vehicle + " refuses the " + kind.words() + " of " + items.size() + " items"
-                    + where() + ": " + MissionWords.of(result);
+            ListRefusedException refusal = new ListRefusedException(
+                    "vehicle " + vehicle + " refuses the " + kind.words() + " of " + items.size() + " items" + where()
+                            + ": ",
+                    result);
             notReady = Optional.of(refusal);
             if (what != MavMissionResult.MAV_MISSION_ERROR) { // after that one it may be ready soon
                 fail(refusal);

@@ -3,7 +3,6 @@ package org.sami.mavlink.vehicle;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.sami.mavlink.address.MavlinkAddress;
 
@@ -23,7 +22,7 @@ final class LinkChoice {
     private static final int PERCENT = 100;
 
     private final List<Heard> links = new ArrayList<>();
-    private Map<MavlinkAddress, Integer> strengths = Map.of();
+    private RadioSignals radios = RadioSignals.NONE;
     private Optional<Heard> chosen = Optional.empty();
 
     /** How a vehicle is heard on a link. */
@@ -95,13 +94,13 @@ final class LinkChoice {
         return Optional.empty();
     }
 
-    /** How strong the signal of each radio is at its weaker end, 0 to 254; links that report none are networks. */
-    void strengths(Map<MavlinkAddress, Integer> now) {
-        strengths = Map.copyOf(now);
+    /** Which radios report themselves now. */
+    void radios(RadioSignals now) {
+        radios = now;
     }
 
     private int strength(Heard link) {
-        return strengths.getOrDefault(link.link, Integer.MAX_VALUE / 2);
+        return radios.strength(link.link);
     }
 
     /** Whether what comes on a link says how the vehicle is now: on the chosen one, and on any while that says nothing. */
@@ -114,7 +113,7 @@ final class LinkChoice {
         List<Heard> order = new ArrayList<>(links);
         order.sort(Comparator.comparing((Heard each) -> each.isSilent(nowMs))
                 .thenComparing(each -> each.lost)
-                .thenComparing(each -> each.link instanceof MavlinkAddress.Serial) // slower than a network
+                .thenComparing(each -> radios.isSlow(each.link)) // slower than a network
                 .thenComparing(Comparator.comparing(this::strength).reversed()));
         return order;
     }
@@ -132,7 +131,7 @@ final class LinkChoice {
             order.add(0, first);
         });
         return order.stream()
-                .map(each -> new HeardLink(each.link, each.lost, each.atMs))
+                .map(each -> new HeardLink(each.link, each.lost, each.atMs, radios.isSlow(each.link)))
                 .toList();
     }
 }

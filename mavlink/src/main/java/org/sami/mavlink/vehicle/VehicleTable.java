@@ -7,7 +7,6 @@ import io.dronefleet.mavlink.minimal.MavType;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -16,6 +15,7 @@ import org.sami.mavlink.address.MavlinkAddress;
 /** The vehicles that have been heard on the links of a base. Used by one thread. */
 public final class VehicleTable {
     private final TreeMap<VehicleId, VehicleRecord> vehicles = new TreeMap<>();
+    private RadioSignals radios = RadioSignals.NONE;
 
     /**
      * A message came from a component of a system; one that is no autopilot (a ground station, a gimbal, a radio) makes no
@@ -29,6 +29,7 @@ public final class VehicleTable {
         VehicleRecord known = vehicles.get(id);
         if (known == null && payload instanceof Heartbeat beat && isVehicle(beat)) {
             known = new VehicleRecord(id, nowMs);
+            known.links().radios(radios);
             vehicles.put(id, known);
             events.add(new VehicleEvent.Appeared(id));
         }
@@ -114,8 +115,14 @@ public final class VehicleTable {
                 .isPresent();
     }
 
-    /** How strong the signal of each radio is at its weaker end, 0 to 254. */
-    public void strengths(Map<MavlinkAddress, Integer> now) {
-        vehicles.values().forEach(known -> known.links().strengths(now));
+    /** Which radios report themselves now. */
+    public void radios(RadioSignals now) {
+        radios = now;
+        vehicles.values().forEach(known -> known.links().radios(now));
+    }
+
+    /** The radios that report themselves. */
+    public RadioSignals radios() {
+        return radios;
     }
 }

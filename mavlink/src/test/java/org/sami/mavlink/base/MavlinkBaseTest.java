@@ -28,6 +28,8 @@ import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.link.MavlinkLinkState;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.testing.SensorMessages;
+import org.sami.mavlink.testing.SmallBoat;
 import org.sami.mavlink.testing.SmallVehicle;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -160,6 +162,43 @@ class MavlinkBaseTest {
         assertThat(faultAt("", true)).startsWith("what listens there closes the link without a word: look at");
         assertThat(faultAt("220 mail.local ESMTP\r\n", true))
                 .startsWith("what answers there speaks no MAVLink and closes the link: look at");
+    }
+
+    @Test
+    void webServerThatClosesIsNamedAlsoOnceTheLinkIsOpenAgain() throws Exception {
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+                MavlinkBase base = base("mavlink:tcp:127.0.0.1:" + server.getLocalPort())) {
+            try (Socket socket = server.accept()) {
+                write(socket, "HTTP/1.1 400 Bad Request\r\n\r\n".getBytes(StandardCharsets.ISO_8859_1));
+                Await.until("it has come", () -> base.links().get(0).bytes() > 0);
+            }
+            try (Socket again = server.accept()) {
+                Await.until("it is open again", () -> base.links().get(0).state() == MavlinkLinkState.OPEN);
+
+                assertThat(base.links().get(0).fault())
+                        .hasValueSatisfying(fault -> assertThat(fault).startsWith("a web server answers there"));
+                assertThat(again.isConnected()).isTrue();
+            }
+        }
+    }
+
+    @Test
+    void radioThatReportsItselfOnANetworkMakesItASlowLink() throws Exception {
+        try (SmallBoat boat = new SmallBoat(3, 45.7, 10.72, 1);
+                MavlinkBase base = base(boat.address())) {
+            Await.until("it is known", () -> !vehicles(base).isEmpty());
+            assertThat(vehicles(base).get(0).heardOn().get(0).slow()).isFalse();
+            assertThat(base.plans().join().values())
+                    .allSatisfy(plan -> assertThat(plan.filledPart()).isEmpty());
+
+            boat.sends(SensorMessages.radio(180));
+
+            Await.until(
+                    "it is slow", () -> vehicles(base).get(0).heardOn().get(0).slow());
+            assertThat(base.links().get(0).rssi()).contains(180);
+            assertThat(base.plans().join().values())
+                    .allSatisfy(plan -> assertThat(plan.bytesPerSecond()).hasValue(5_760));
+        }
     }
 
     @Test

@@ -46,6 +46,13 @@ class MessagePlanTest {
     }
 
     @Test
+    void networkBehindWhichThereIsARadioIsFilledAsThatIs() {
+        MavlinkAddress routed = AddressText.parse("mavlink:udp:14550?baud=57600");
+
+        assertThat(MessagePlan.of(routed, 25, false)).isEqualTo(MessagePlan.of(RADIO, 25, false));
+    }
+
+    @Test
     void moreVehiclesThanHeartbeatsFitAreSaid() {
         assertThat(MessagePlan.of(RADIO, 400, false).filledPart().orElseThrow()).isGreaterThan(1);
     }

@@ -90,6 +90,18 @@ class PendingCommandsTest {
     }
 
     @Test
+    void firmwareWithoutTheCommandIsNamedWithWhatToDo() {
+        give(VehicleCommand.arm(), 0);
+        answer(MavCmd.MAV_CMD_COMPONENT_ARM_DISARM, MavResult.MAV_RESULT_UNSUPPORTED, 100);
+        passUntil(2_000);
+
+        assertThat(sent).hasSize(1);
+        assertThat(ended).extracting(CommandOutcome::verdict).containsExactly(CommandVerdict.UNKNOWN_TO_IT);
+        assertThat(ended.get(0).inWords())
+                .isEqualTo("vehicle 3 does not know how to arm (its firmware lacks this command: update it)");
+    }
+
+    @Test
     void progressIsReportedAndWaitedFor() {
         give(VehicleCommand.of(241, "calibrate"), 0);
         answer(MavCmd.MAV_CMD_PREFLIGHT_CALIBRATION, MavResult.MAV_RESULT_IN_PROGRESS, 40, 500);

@@ -111,7 +111,9 @@ class ListDownloadTest {
         }
 
         assertThat(sent).hasSize(8);
-        assertThat(download.failure()).contains("vehicle 3 does not answer when it is asked for its mission");
+        assertThat(download.failure())
+                .hasValueSatisfying(why ->
+                        assertThat(why).hasMessage("vehicle 3 does not answer when it is asked for its mission"));
     }
 
     @Test
@@ -126,8 +128,8 @@ class ListDownloadTest {
 
         assertThat(download.failure())
                 .hasValueSatisfying(why -> assertThat(why)
-                        .startsWith("vehicle 3 refuses to send its mission: ")
-                        .endsWith("(MAV_MISSION_DENIED)"));
+                        .hasMessageStartingWith("vehicle 3 refuses to send its mission: ")
+                        .hasMessageEndingWith("(MAV_MISSION_DENIED)"));
     }
 
     @Test
@@ -140,7 +142,7 @@ class ListDownloadTest {
                         .build(),
                 10);
 
-        assertThat(download.failure()).hasValueSatisfying(why -> assertThat(why).contains("65535 items"));
+        assertThat(download.failure()).hasValueSatisfying(why -> assertThat(why).hasMessageContaining("65535 items"));
     }
 
     @Test

@@ -285,6 +285,11 @@ class ListReplacementTest {
         assertThat(result)
                 .failsWithin(Duration.ZERO)
                 .withThrowableThat()
+                .havingCause()
+                .isInstanceOfSatisfying(ListRefusedException.class, why -> {
+                    assertThat(why.isOutOfSpace()).isTrue();
+                    assertThat(why.result()).isEqualTo(4); // of MAV_MISSION_RESULT
+                })
                 .withMessageContaining("vehicle 3 refuses the mission of 701 items: it holds no more items");
         assertThat(vehicle.held(HeldKind.MISSION)).isEqualTo(mission(10));
     }
@@ -300,6 +305,10 @@ class ListReplacementTest {
         assertThat(result)
                 .failsWithin(Duration.ZERO)
                 .withThrowableThat()
+                .havingCause()
+                .isInstanceOfSatisfying(
+                        ListRefusedException.class,
+                        why -> assertThat(why.isOutOfSpace()).isFalse())
                 .withMessageContaining("cannot carry out one of the items");
         assertThat(vehicle.held(HeldKind.MISSION)).isEqualTo(mission(10));
         assertThat(changed).isEmpty();

@@ -3,7 +3,10 @@ package org.sami.mavlink.vehicle;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Map;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.address.MavlinkAddress;
 
@@ -12,6 +15,10 @@ class LinkChoiceTest {
     private static final MavlinkAddress OTHER = AddressText.parse("mavlink:serial:/dev/ttyUSB1:57600");
 
     private final LinkChoice choice = new LinkChoice();
+
+    private static RadioSignals radios(int one, int other) {
+        return new RadioSignals(Map.of(ONE, OptionalInt.of(one), OTHER, OptionalInt.of(other)));
+    }
 
     private void bothHeard(int number) {
         choice.heard(ONE, number, number * 100L);
@@ -23,14 +30,35 @@ class LinkChoiceTest {
         bothHeard(1);
         assertThat(choice.chosen()).contains(ONE);
 
-        choice.strengths(Map.of(ONE, 60, OTHER, 90));
+        choice.radios(radios(60, 90));
         bothHeard(2);
         assertThat(choice.chosen()).contains(ONE);
 
-        choice.strengths(Map.of(ONE, 59, OTHER, 90));
+        choice.radios(radios(59, 90));
         choice.heard(ONE, 3, 300);
         assertThat(choice.heard(OTHER, 3, 310)).isEmpty(); // it was changed by what came on the first
         assertThat(choice.chosen()).contains(OTHER);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"mavlink:udp:14550?baud=57600", "mavlink:udp:14550"})
+    void networkWithARadioInItIsUsedAfterOneWithout(String behindRouter) {
+        MavlinkAddress routed = AddressText.parse(behindRouter);
+        MavlinkAddress network = AddressText.parse("mavlink:udp:14551");
+        if (routed.speedBaud().isEmpty()) {
+            choice.radios(new RadioSignals(Map.of(routed, OptionalInt.empty()))); // it reports itself
+        }
+        choice.heard(routed, 1, 100);
+        choice.heard(network, 1, 110);
+
+        assertThat(choice.links(120))
+                .containsExactly(new HeardLink(routed, 0, 100, true), new HeardLink(network, 0, 110, false));
+        choice.heard(routed, 2, 2_000);
+        choice.heard(network, 2, 2_010);
+        choice.heard(network, 3, 5_000);
+        assertThat(choice.chosen()).contains(network);
+        choice.heard(routed, 3, 5_010);
+        assertThat(choice.chosen()).as("the radio does not get it back").contains(network);
     }
 
     @Test
@@ -39,7 +67,7 @@ class LinkChoiceTest {
             choice.heard(ONE, i, i * 100L);
             choice.heard(OTHER, i * 2, i * 100L + 10);
         }
-        choice.strengths(Map.of(ONE, 50, OTHER, 200));
+        choice.radios(radios(50, 200));
         choice.heard(ONE, 60, 6_000);
 
         assertThat(choice.chosen()).contains(ONE);

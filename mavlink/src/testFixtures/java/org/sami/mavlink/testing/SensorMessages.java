@@ -4,8 +4,9 @@ import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
 import io.dronefleet.mavlink.common.CameraTrackingGeoStatus;
 import io.dronefleet.mavlink.common.CameraTrackingStatusFlags;
 import io.dronefleet.mavlink.common.NamedValueFloat;
+import io.dronefleet.mavlink.common.RadioStatus;
 
-/** Messages with values of a vehicle's sensors, for {@link SmallBoat#sends}. */
+/** Messages with values of a vehicle's sensors and of its radio, for {@link SmallBoat#sends}. */
 public final class SensorMessages {
     private SensorMessages() {}
 
@@ -21,6 +22,11 @@ public final class SensorMessages {
                 .lat((int) Math.round(latDeg * 1e7))
                 .lon((int) Math.round(lonDeg * 1e7))
                 .build();
+    }
+
+    /** What a radio on the way reports of itself: how strong its signal is here, as it counts. */
+    public static Object radio(int strength) {
+        return RadioStatus.builder().rssi(strength).remrssi(strength).build();
     }
 
     /** What a depth sounder or rangefinder measures, in metres. */

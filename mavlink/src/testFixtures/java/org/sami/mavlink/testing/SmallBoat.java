@@ -275,7 +275,10 @@ public final class SmallBoat implements AutoCloseable {
                 && faults.isIgnoringOrder()) {
             return;
         }
-        if (message instanceof CommandLong command) {
+        if (message instanceof CommandLong command
+                && faults.isLacking(command.command().value())) {
+            answer(command.command().value(), MavResult.MAV_RESULT_UNSUPPORTED);
+        } else if (message instanceof CommandLong command) {
             boolean known = command(command.command().value(), command.param1(), command.param2());
             if (!faults.isIgnoringSpeeds() || command.command().value() != CHANGE_SPEED) {
                 ack(command.command().value(), known);
@@ -355,9 +358,13 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private void ack(int command, boolean accepted) {
+        answer(command, accepted ? MavResult.MAV_RESULT_ACCEPTED : MavResult.MAV_RESULT_FAILED);
+    }
+
+    private void answer(int command, MavResult result) {
         CommandAck answer = CommandAck.builder()
                 .command(EnumValue.create(MavCmd.class, command))
-                .result(accepted ? MavResult.MAV_RESULT_ACCEPTED : MavResult.MAV_RESULT_FAILED)
+                .result(result)
                 .build();
         if (command == keptCommand) {
             keptAnswers.add(answer);

@@ -14,10 +14,20 @@ public final class SmallBoatFaults {
     private boolean cameraJammed;
     private int cameraBusy; // pictures that it refuses
     private int answers = Integer.MAX_VALUE;
+    private int lackedCommand = -1;
     private boolean ignoresOrders;
     private int ignored;
 
     SmallBoatFaults() {}
+
+    /** Its firmware has no command of this number. */
+    public synchronized void lacksCommand(int number) {
+        lackedCommand = number;
+    }
+
+    synchronized boolean isLacking(int command) {
+        return command == lackedCommand;
+    }
 
     /** It does not move from now on, whatever it is ordered; or moves again. */
     public synchronized void stuck(boolean now) {

@@ -55,6 +55,11 @@ public final class SmallBoatMission {
         return items.size() < 2;
     }
 
+    /** How many items it holds, home included. */
+    public synchronized int size() {
+        return items.size();
+    }
+
     /** How many whole missions were sent to it. */
     public synchronized int uploads() {
         return uploads;

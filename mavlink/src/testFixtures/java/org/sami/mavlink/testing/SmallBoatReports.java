@@ -26,6 +26,7 @@ public final class SmallBoatReports {
     private boolean silent;
     private boolean beating = true;
     private MavAutopilot autopilot = MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA;
+    private MavType type = MavType.MAV_TYPE_SURFACE_BOAT;
     private boolean placed = true;
     private boolean seldom;
     private int filter = LOCATED;
@@ -69,6 +70,11 @@ public final class SmallBoatReports {
     /** It is steered by PX4 from now on, as its heartbeats say. */
     public synchronized void steeredByPx4() {
         autopilot = MavAutopilot.MAV_AUTOPILOT_PX4;
+    }
+
+    /** It is a plane from now on, as its heartbeats say. */
+    public synchronized void isPlane() {
+        type = MavType.MAV_TYPE_FIXED_WING;
     }
 
     /** It sends no heartbeats from now on, or again. */
@@ -150,7 +156,7 @@ public final class SmallBoatReports {
 
     private void sendHeartbeat(State now) {
         send.accept(Heartbeat.builder()
-                .type(MavType.MAV_TYPE_SURFACE_BOAT)
+                .type(type)
                 .autopilot(autopilot)
                 .baseMode(now.armed() ? EnumValue.of(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED) : EnumValue.create(0))
                 .customMode(now.mode())

@@ -67,7 +67,8 @@ final class SessionOptions {
             names = "--connect",
             paramLabel = "HOST:PORT",
             split = ",",
-            description = "Boats' servers to connect to; more can be connected later.")
+            description =
+                    "Boats' servers to connect to, or mavlink:... for ArduPilot boats; more can be connected later.")
     private List<String> connect = new ArrayList<>();
 
     @Option(

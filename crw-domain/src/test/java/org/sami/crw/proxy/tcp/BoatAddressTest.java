@@ -60,13 +60,15 @@ class BoatAddressTest {
 
     @Test
     void readsVehiclesOfALinkByTheirNumbers() {
-        assertThat(BoatAddress.parseAll("mavlink:udp:14550/21-23, mavlink:serial:/dev/ttyUSB0:57600/7,a:1"))
+        assertThat(BoatAddress.parseAll("mavlink:udp:14550/21-23, mavlink:serial:/dev/ttyUSB0:57600/7,"
+                        + "mavlink:udp:14551?baud=57600/8,a:1"))
                 .extracting(BoatAddress::toString)
                 .containsExactly(
                         "mavlink:udp:14550/21",
                         "mavlink:udp:14550/22",
                         "mavlink:udp:14550/23",
                         "mavlink:serial:/dev/ttyUSB0:57600/7",
+                        "mavlink:udp:14551?baud=57600/8",
                         "a:1");
         assertThat(BoatAddress.parseAll("mavlink:udpout:boat.local:14550"))
                 .singleElement()
@@ -79,6 +81,14 @@ class BoatAddressTest {
         "mavlink:udp:14550/20-256, 'a system id is 1 to 255, not 256; '",
         "mavlink:udp:14550/25-21, 'the first system id, 25, is above the last, 21; '",
         "mavlink:tcp:127.0.0.1:99999/1, 'a port is 1 to 65535, not 99999; '",
+        "mavlink:udp:14550?baud=9/1, 'a baud rate is 1200 to 4000000, not 9; '",
+        "mavlink:serial:/dev/ttyUSB0:9/1, 'a baud rate is 1200 to 4000000, not 9; '",
+        "mavlink:udp:14550?speed=9600, ''",
+        "mavlink:udp:127.0.0.1:14550, 'udp listens on a port of this machine and takes no host; to a host it is udpout; '",
+        "mavlink:udp, 'the port is missing; '",
+        "mavlink:tcp:5760, 'the host or the port is missing; '",
+        "mavlink:serial:/dev/ttyUSB0, 'the device or the baud rate is missing; '",
+        "mavlink:foo, 'there is no kind of link ''foo''; '",
         "mavlink:udp:14550/a, ''"
     })
     void saysWhatIsWrongWithTheAddressOfAVehicle(String text, String why) {

@@ -48,6 +48,7 @@ public final class ConnectForm extends JPanel {
                         + " id 3, /1-5 for five; several with commas between them"));
         label.setLabelFor(address);
         address.setName("boat-connect-address");
+        address.setToolTipText("A radio behind a network's port has its speed after it: mavlink:udp:14550?baud=57600");
         connect.setName("boat-connect-do");
         connect.addActionListener(e -> connect());
         said.setName("boat-connect-said");
