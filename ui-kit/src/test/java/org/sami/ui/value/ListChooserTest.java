@@ -33,8 +33,10 @@ class ListChooserTest {
     @Test
     void aListThatIsSeenAtAGlanceHasNoFieldToSearchIt() throws Exception {
         SwingUtilities.invokeAndWait(() -> {
-            assertThat(Layout.find(list(6), "value-choose-filter", JTextField.class)).isEmpty();
-            assertThat(Layout.find(list(7), "value-choose-filter", JTextField.class)).isPresent();
+            assertThat(Layout.find(list(6), "value-choose-filter", JTextField.class))
+                    .isEmpty();
+            assertThat(Layout.find(list(7), "value-choose-filter", JTextField.class))
+                    .isPresent();
         });
     }
 }

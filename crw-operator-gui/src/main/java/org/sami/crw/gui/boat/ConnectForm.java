@@ -43,8 +43,8 @@ public final class ConnectForm extends JPanel {
         this.context = context;
         setName("boat-connect-form");
         JLabel label = new JLabel("Address");
-        WrappedText forms = new WrappedText(context.say(
-                "HOST:PORT of a boat's server; of vehicles mavlink:udp:14550, mavlink:tcp:HOST:PORT,"
+        WrappedText forms = new WrappedText(
+                context.say("HOST:PORT of a boat's server; of vehicles mavlink:udp:14550, mavlink:tcp:HOST:PORT,"
                         + " mavlink:udpout:HOST:PORT, mavlink:serial:DEVICE:BAUD, and after it /3 for the one of system"
                         + " id 3, /1-5 for five; several with commas between them"));
         forms.setName("boat-connect-forms");
