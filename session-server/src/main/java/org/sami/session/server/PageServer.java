@@ -1,6 +1,7 @@
 package org.sami.session.server;
 
 import java.io.IOException;
+import java.net.BindException;
 import java.net.InetSocketAddress;
 import java.security.GeneralSecurityException;
 import java.security.KeyStore;
@@ -96,11 +97,23 @@ final class PageServer {
             server.start();
         } catch (IOException taken) {
             stop();
-            throw taken;
+            throw said(taken);
         } catch (Exception fault) {
             stop();
             throw new IOException("the session cannot be served: " + fault.getMessage(), fault);
         }
+    }
+
+    /** The same, in words where another program has the port. */
+    private IOException said(IOException fault) {
+        boolean taken = fault.getCause() instanceof BindException bind
+                && String.valueOf(bind.getMessage()).startsWith("Address already in use");
+        return taken
+                ? new IOException(
+                        "port " + address.port() + " is taken by another program, such as another session;"
+                                + " --port gives another one",
+                        fault)
+                : fault;
     }
 
     private static ServerConnector connector(Server server, ServerAddress address) throws IOException {

@@ -249,6 +249,15 @@ class SessionServerTest {
     }
 
     @Test
+    void whereThePortIsTakenItIsSaidHowToGiveAnotherOne() {
+        ServerAddress same = ServerAddress.onThisMachine(server.listensAt().getPort());
+
+        assertThatThrownBy(() -> SessionServer.start(session, People.ofThisMachine(), same))
+                .hasMessage("port " + same.port()
+                        + " is taken by another program, such as another session; --port gives another one");
+    }
+
+    @Test
     void nothingButLoopbackIsServedPlainlyOrWithoutPeople() throws Exception {
         InetAddress all = InetAddress.getByName("0.0.0.0");
 

@@ -6,15 +6,18 @@ import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
 import org.sami.palette.SemanticColor;
 
 /**
  * One line to the user of the map, on a plate at its lower edge: next to the scale, where nothing that lies in the middle is hidden below it; above
  * the scale where there is no room, and broken into several lines where the map is narrow. Where it would lie on a vehicle there it stands at the upper edge, if that is free. It
- * hides no more than a part of a low map: what has no room ends in dots.
+ * hides no more than a part of a low map: what has no room is left out from a clause on where one ends, else within it, and dots stand for it.
  */
 final class MapMessage {
     private static final String MORE = "…";
+    private static final Pattern ENDS = Pattern.compile(" · |; "); // of what is said by itself
     private static final double PAD = 8;
     private static final double ABOVE_THE_SCALE = 48;
     private static final double MOST_OF_HEIGHT = 0.15;
@@ -118,11 +121,19 @@ final class MapMessage {
     /** The lines that it has room for; one at least. */
     List<String> lines(MapPaint paint, FontMetrics metrics) {
         double widest = widest(paint);
-        List<String> all = lines(metrics, widest);
+        List<String> all = lines(text, metrics, widest);
         int most =
                 Math.max(1, (int) ((MOST_OF_HEIGHT * paint.frame().height() - Painting.px(PAD)) / metrics.getHeight()));
         if (all.size() <= most) {
             return all;
+        }
+        Optional<List<String>> whole = ENDS.matcher(text)
+                .results()
+                .map(end -> lines(text.substring(0, end.start()) + " " + MORE, metrics, widest))
+                .filter(first -> first.size() <= most)
+                .reduce((shorter, longer) -> longer);
+        if (whole.isPresent()) {
+            return whole.get();
         }
         String last = all.get(most - 1) + MORE;
         while (last.length() > 1 && metrics.stringWidth(last) > widest) {
@@ -133,7 +144,7 @@ final class MapMessage {
         return shown;
     }
 
-    private List<String> lines(FontMetrics metrics, double widest) {
+    private static List<String> lines(String text, FontMetrics metrics, double widest) {
         List<String> lines = new ArrayList<>();
         String line = "";
         for (String word : text.split(" ", -1)) {

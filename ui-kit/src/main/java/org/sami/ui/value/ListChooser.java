@@ -20,11 +20,12 @@ import org.sami.ui.look.Spacing;
 
 /**
  * A list of choices, one below the other: of which one is chosen, or several with the description of each (components {@code ChoiceList},
- * {@code ProxyList}, {@code TaskList}, {@code VariableList}, {@code PlanList}). With the widget {@code FilterBar} only the rows are seen
- * that contain something.
+ * {@code ProxyList}, {@code TaskList}, {@code VariableList}, {@code PlanList}). With the widget {@code FilterBar} only the rows of a
+ * longer list are seen that contain something.
  */
 final class ListChooser extends ValueChooser {
     private static final int MOST_HEIGHT = 320;
+    private static final int FEW = 6; // so many are seen at a glance: a filter would take the height of two of them
 
     private final Offer offer;
     private final boolean asList;
@@ -63,7 +64,7 @@ final class ListChooser extends ValueChooser {
         }
         panel.setOpaque(false);
         panel.setName(field.componentName(""));
-        if (filtered) {
+        if (filtered && offer.rows().size() > FEW) {
             addFilter();
         }
         if (!offer.single()) {

@@ -11,6 +11,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
 import org.jspecify.annotations.Nullable;
 import org.sami.palette.SemanticColor;
+import org.sami.ui.EventThread;
 import org.sami.ui.look.Fonts;
 import org.sami.ui.look.LookColors;
 
@@ -41,6 +42,7 @@ public final class WrappedText extends JTextArea {
         setWrapStyleWord(true);
         setColumns(20);
         setColor(SemanticColor.TEXT);
+        setBorder(BorderFactory.createEmptyBorder());
         dress();
     }
 
@@ -79,7 +81,6 @@ public final class WrappedText extends JTextArea {
     private void dress() {
         setOpaque(false);
         setFocusable(false);
-        setBorder(BorderFactory.createEmptyBorder());
         if (letters != null) { // the superclass sets the look before this class has its letters
             setFont(letters.get());
         }
@@ -103,6 +104,16 @@ public final class WrappedText extends JTextArea {
             measured = now;
         }
         return new Dimension(needed);
+    }
+
+    /** Where it has become too narrow for its lines, it asks for more height once the layout that made it so has ended: that one knew another width. */
+    @Override
+    public void setBounds(int x, int y, int width, int height) {
+        boolean other = width != getWidth();
+        super.setBounds(x, y, width, height);
+        if (other && width > 0 && height > 0 && getPreferredSize().height > height) {
+            EventThread.later(this::revalidate);
+        }
     }
 
     /** It may become narrow, and never lower than its lines are. */

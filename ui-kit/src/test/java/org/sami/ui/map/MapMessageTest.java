@@ -57,6 +57,16 @@ class MapMessageTest {
     }
 
     @Test
+    void whatHasNoRoomIsLeftOutFromAClauseOn() {
+        message.say(
+                "Click boats to choose them for the answer; Escape puts the pen down, and Alt+D takes it up", false);
+        MapPaint low = paint(420, 200);
+
+        assertThat(message.lines(low, low.g().getFontMetrics()))
+                .containsExactly("Click boats to choose them for the answer …");
+    }
+
+    @Test
     void itStandsAtTheUpperEdgeWhileItWouldLieOnAVehicleBelow() {
         message.say("boat3: 135 m", false);
         MapPaint paint = paint(900);

@@ -3,8 +3,15 @@ package org.sami.ui.value;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Font;
+import java.awt.Insets;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Supplier;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.RepaintManager;
 import javax.swing.SwingUtilities;
 import javax.swing.text.BadLocationException;
 import org.junit.jupiter.api.Test;
@@ -60,6 +67,48 @@ class WrappedTextTest {
             assertThat(wrapped.getDocument().getLength()).isEqualTo(text.length());
             assertThat(wrapped.getSelectedText()).isEqualTo(text);
         });
+    }
+
+    @Test
+    void theBorderThatItIsGivenStaysWithAnotherLook() throws Exception {
+        SwingUtilities.invokeAndWait(() -> {
+            WrappedText wrapped = new WrappedText("What the plan does");
+            wrapped.setBorder(BorderFactory.createEmptyBorder(8, 12, 8, 12));
+
+            wrapped.updateUI();
+
+            assertThat(wrapped.getInsets()).isEqualTo(new Insets(8, 12, 8, 12));
+        });
+    }
+
+    @Test
+    void aTextThatALayoutHasMadeTooNarrowForItsLinesAsksForMoreHeightAfterwards() throws Exception {
+        Set<JComponent> asking = new HashSet<>();
+        RepaintManager usual = RepaintManager.currentManager(null);
+        WrappedText[] wrapped = new WrappedText[1];
+        try {
+            SwingUtilities.invokeAndWait(() -> {
+                JPanel panel = new JPanel(null);
+                wrapped[0] = new WrappedText("Nothing waits for you. The most urgent question appears here.");
+                panel.add(wrapped[0]);
+                wrapped[0].setSize(1000, 1000);
+                int line = wrapped[0].getPreferredSize().height;
+                RepaintManager.setCurrentManager(new RepaintManager() {
+                    @Override
+                    public void addInvalidComponent(JComponent one) {
+                        asking.add(one);
+                    }
+                });
+
+                wrapped[0].setBounds(0, 0, 900, line);
+                wrapped[0].setBounds(0, 0, 200, line);
+
+                asking.clear(); // what is asked while a layout is under way is lost
+            });
+            SwingUtilities.invokeAndWait(() -> assertThat(asking).contains(wrapped[0]));
+        } finally {
+            RepaintManager.setCurrentManager(usual);
+        }
     }
 
     @Test

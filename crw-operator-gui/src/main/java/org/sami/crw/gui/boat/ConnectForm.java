@@ -42,10 +42,13 @@ public final class ConnectForm extends JPanel {
         super(new MigLayout("novisualpadding, insets 8 12 12 12, gap 8, fillx, wrap 2", "[grow,fill][]"));
         this.context = context;
         setName("boat-connect-form");
-        JLabel label = new JLabel(context.say(
-                "Address: HOST:PORT of a boat's server; of vehicles mavlink:udp:14550, mavlink:tcp:HOST:PORT,"
+        JLabel label = new JLabel("Address");
+        WrappedText forms = new WrappedText(
+                context.say("HOST:PORT of a boat's server; of vehicles mavlink:udp:14550, mavlink:tcp:HOST:PORT,"
                         + " mavlink:udpout:HOST:PORT, mavlink:serial:DEVICE:BAUD, and after it /3 for the one of system"
                         + " id 3, /1-5 for five; several with commas between them"));
+        forms.setName("boat-connect-forms");
+        forms.setColor(SemanticColor.MUTED);
         label.setLabelFor(address);
         address.setName("boat-connect-address");
         address.setToolTipText("A radio behind a network's port has its speed after it: mavlink:udp:14550?baud=57600");
@@ -55,6 +58,7 @@ public final class ConnectForm extends JPanel {
         getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ENTER"), "connect");
         getActionMap().put("connect", new Command("boat-connect-enter", "Connect", this::connect));
         add(label, "span");
+        add(forms, "span, growx, " + KEEP);
         add(address, "hmin 40");
         add(connect, "hmin 40");
         add(said, "growx, hmin 40, " + KEEP);

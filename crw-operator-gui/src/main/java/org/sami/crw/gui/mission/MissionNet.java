@@ -97,7 +97,7 @@ final class MissionNet extends FoldingPanel {
                 modeChosen |= !filling;
             }
         });
-        head.add(which, "wmin 80");
+        head.add(which, "wmin 80, growy"); // as high as the other, so that it can be pressed
         head.add(mode, "wmin 80, hmin 40");
         add(head, BorderLayout.NORTH);
         add(net);

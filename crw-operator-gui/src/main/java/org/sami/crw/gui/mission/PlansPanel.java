@@ -119,7 +119,11 @@ public final class PlansPanel extends JPanel {
         JPanel notes = new JPanel(new BorderLayout());
         notes.setOpaque(false);
         about.setName("plan-about");
-        about.setBorder(BorderFactory.createEmptyBorder(Spacing.NORMAL, Spacing.INSET, Spacing.NORMAL, Spacing.INSET));
+        LookColors.border(about, () -> {
+            int above = Look.px(Spacing.NORMAL);
+            int beside = Look.px(Spacing.INSET);
+            return BorderFactory.createEmptyBorder(above, beside, above, beside);
+        });
         notes.add(about, BorderLayout.NORTH);
         notes.add(disabled);
         notes.add(ready, BorderLayout.SOUTH);

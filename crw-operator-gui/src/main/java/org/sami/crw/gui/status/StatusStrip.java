@@ -24,6 +24,7 @@ import org.sami.crw.operator.boat.FleetCount;
 import org.sami.palette.SemanticColor;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
+import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.FoldingPanel;
@@ -173,7 +174,7 @@ public final class StatusStrip extends FoldingPanel {
                 .count();
         boolean brief = narrow.isFolded();
         int margin = Look.px(brief ? 8 : 20);
-        stop.setMargin(new Insets(Look.px(4), margin, Look.px(4), margin));
+        setMarginOfStop(new Insets(Look.px(4), margin, Look.px(4), margin));
         say(missions, count(running, "mission"), brief ? String.valueOf(running) : "");
         int waiting = context.models().decisions().snapshot().size();
         say(
@@ -192,6 +193,14 @@ public final class StatusStrip extends FoldingPanel {
         showAlarms(context.models().alarms().snapshot());
         release.setVisible(fleetStop.isStopped() && !fleetStop.isReleasing());
         confirm.setVisible(fleetStop.isStopped() && fleetStop.isReleasing());
+    }
+
+    /** Told to the layout again once the one that is under way has ended: it goes on with the width that it has asked for, and would cut the button. */
+    private void setMarginOfStop(Insets margin) {
+        if (!margin.equals(stop.getMargin())) {
+            stop.setMargin(margin);
+            EventThread.later(stop::revalidate);
+        }
     }
 
     /** On a narrow window a number next to the icon shows it; the tooltip has the words. */

@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.sim.boat.SimulatedBoatsOnTcp;
+import org.sami.ui.check.Layout;
+import org.sami.ui.check.TextFit;
 
 /** What Ctrl+B says of an address, in a session that has no boat yet. */
 @Timeout(900)
@@ -43,6 +45,24 @@ class ConnectFormTest {
             assertThat(isSeen(form, "boat-connect-give-up")).isFalse();
             SessionWorld.type(form, "boat-connect-address", "10.0.0.9");
             assertThat(SessionWorld.text(form, "boat-connect-said")).startsWith("'10.0.0.9' is no HOST:PORT");
+        }
+    }
+
+    @Test
+    void inASmallWindowTheWordsAreSeenWholeAndTheButtonIsReached() throws Exception {
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"))) {
+            ConnectForm form = SessionWorld.laidOut(() -> new ConnectForm(world.context));
+
+            onEventThread(() -> {
+                Layout.layOut(form, 700, 260);
+                assertThat(TextFit.faults(form)).isEmpty();
+                assertThat(Layout.find(form, "boat-connect-do", AbstractButton.class)
+                                .orElseThrow()
+                                .getBounds()
+                                .getMaxX())
+                        .isLessThan(700);
+                return null;
+            });
         }
     }
 

@@ -4,10 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
 import java.awt.Rectangle;
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.RepaintManager;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -130,6 +133,35 @@ class StatusStripTest {
             Layout.layOut(strip[0], 1280, Look.px(58));
             assertIsSeenWhole(strip[0], "fleet-stop", "fleet-release-confirm");
         });
+    }
+
+    @Test
+    void theFleetStopIsLaidOutOnceMoreAfterTheLayoutThatHasChangedItsMargin() throws Exception {
+        Set<JComponent> asking = new HashSet<>();
+        RepaintManager usual = RepaintManager.currentManager(null);
+        AbstractButton[] stop = new AbstractButton[1];
+        try {
+            SwingUtilities.invokeAndWait(() -> {
+                RepaintManager.setCurrentManager(new RepaintManager() {
+                    @Override
+                    public void addInvalidComponent(JComponent one) {
+                        asking.add(one);
+                    }
+                });
+                StatusStrip strip = strip();
+                stop[0] = Layout.find(strip, "fleet-stop", AbstractButton.class).orElseThrow();
+                Layout.layOut(strip, 900, Look.px(58));
+                int narrow = stop[0].getMargin().left;
+
+                Layout.layOut(strip, 1600, Look.px(58));
+
+                assertThat(stop[0].getMargin().left).isGreaterThan(narrow);
+                asking.clear();
+            });
+            SwingUtilities.invokeAndWait(() -> assertThat(asking).contains(stop[0]));
+        } finally {
+            RepaintManager.setCurrentManager(usual);
+        }
     }
 
     @Test
