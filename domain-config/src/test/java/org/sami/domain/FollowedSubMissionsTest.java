@@ -23,9 +23,9 @@ class FollowedSubMissionsTest {
         Set<String> open = new TreeSet<>();
         for (Map.Entry<Project, Plan> each : TriedPlans.library().toList()) {
             Plan plan = each.getValue();
-            PlanNet net = PlanNet.of(
-                    new PlanNetRequest(each.getKey(), TriedPlans.LIBRARY.vocabulary(), plan.id(), TriedPlans.robots(boats))
-                            .toDepth(1));
+            PlanNet net = PlanNet.of(new PlanNetRequest(
+                            each.getKey(), TriedPlans.LIBRARY.vocabulary(), plan.id(), TriedPlans.robots(boats))
+                    .toDepth(1));
             for (Place place : plan.places()) {
                 if (!place.subMissions().isEmpty()) {
                     boolean isFollowed = !net.isOpen(net.net().initialMarking(), place.id());
