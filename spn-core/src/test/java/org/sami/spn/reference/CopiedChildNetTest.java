@@ -14,7 +14,7 @@ import org.sami.spn.reference.ChildComparison.Compared;
  * and each marking that the engine reaches is in the net's graph. More seeds: {@code ./gradlew :spn-core:test --tests '*CopiedChildNetTest' -Pseeds=5000}.
  */
 class CopiedChildNetTest {
-    private static final long SEEDS = Long.getLong("spn.seeds", 250);
+    private static final long SEEDS = Long.getLong("spn.seeds", 100);
     /** Searches of whole graphs take long: of so many seeds one. */
     private static final long ONE_GRAPH_OF = 5;
 
