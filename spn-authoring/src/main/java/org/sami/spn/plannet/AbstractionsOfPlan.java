@@ -38,7 +38,9 @@ final class AbstractionsOfPlan {
                 .toList();
         if (!copied.isEmpty()) {
             list.wider(
-                    work.parent().isEmpty() ? "" : work.path(plan.startPlace().map(Place::id).orElse("")),
+                    work.parent().isEmpty()
+                            ? ""
+                            : work.path(plan.startPlace().map(Place::id).orElse("")),
                     (work.parent().isEmpty() ? "the plan can make" : "the sub-mission can have")
                             + " copies of " + String.join(", ", copied)
                             + ": the net follows in which places they are, and not how many copies are there");

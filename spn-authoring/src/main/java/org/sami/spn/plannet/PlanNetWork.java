@@ -45,7 +45,8 @@ final class PlanNetWork implements ChildMission {
         firings = new ArrayList<>();
         counted = new ArrayList<>();
         ids = new HashMap<>();
-        possible = new PossibleTokens(request.project(), request.vocabulary(), plan, team);
+        possible = new PossibleTokens(
+                request.project(), request.vocabulary(), plan, team, request.depth() > 0 && view == RobotView.NAMED);
         net = new PetriNetBuilder(plan.title());
         places = new MissionPlaces(
                 net,
@@ -94,7 +95,8 @@ final class PlanNetWork implements ChildMission {
                 child,
                 team,
                 token -> possible.comes(at.id(), token),
-                token -> possible.isLoose(token, at.id()));
+                token -> possible.isLoose(token, at.id()),
+                true);
     }
 
     @Override

@@ -42,8 +42,13 @@ final class PossibleTokens implements TokenWays {
     /** Of places with shared sub-missions the tokens that those can bring back. */
     private final BiPredicate<String, PlanToken> returns;
 
-    PossibleTokens(Project project, Vocabulary vocabulary, Plan plan, Collection<PlanToken> all) {
-        this(project, vocabulary, plan, all, token -> !token.isMade(), token -> false);
+    /**
+     * Those of a plan by itself.
+     *
+     * @param byPlace whether of a token that may stand several times in one place the others are told apart; else it may in all of them
+     */
+    PossibleTokens(Project project, Vocabulary vocabulary, Plan plan, Collection<PlanToken> all, boolean byPlace) {
+        this(project, vocabulary, plan, all, token -> !token.isMade(), token -> false, byPlace);
     }
 
     /**
@@ -51,6 +56,7 @@ final class PossibleTokens implements TokenWays {
      *
      * @param atStart the tokens with which it may start
      * @param several those of which several may be there at the start
+     * @param byPlace as for the other constructor
      */
     PossibleTokens(
             Project project,
@@ -58,7 +64,8 @@ final class PossibleTokens implements TokenWays {
             Plan plan,
             Collection<PlanToken> all,
             Predicate<PlanToken> atStart,
-            Predicate<PlanToken> several) {
+            Predicate<PlanToken> several,
+            boolean byPlace) {
         made = new MadeByChildren(project, vocabulary);
         this.vocabulary = vocabulary;
         this.plan = plan;
@@ -88,8 +95,8 @@ final class PossibleTokens implements TokenWays {
         copied.stream()
                 .filter(token -> token.type() != TokenType.GENERIC && !token.isMade())
                 .forEach(token -> single.put(token, singles.groups(token)));
-        if (isLoose(PlanToken.ROBOTS)) {
-            single.remove(PlanToken.ROBOTS); // robots that are not told apart are counted in all places, or in none
+        if (!byPlace) {
+            single.keySet().removeIf(this::isLoose);
         }
     }
 

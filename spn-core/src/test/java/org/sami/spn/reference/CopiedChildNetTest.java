@@ -14,7 +14,10 @@ import org.sami.spn.reference.ChildComparison.Compared;
  * and each marking that the engine reaches is in the net's graph. More seeds: {@code ./gradlew :spn-core:test --tests '*CopiedChildNetTest' -Pseeds=5000}.
  */
 class CopiedChildNetTest {
-    private static final long SEEDS = Long.getLong("spn.seeds", 250);
+    private static final long SEEDS = Long.getLong("spn.seeds", 100);
+    /** Searches of whole graphs take long: of so many seeds one. */
+    private static final long ONE_GRAPH_OF = 5;
+
     private static final ChildComparison PLANS = new ChildComparison(CopiedChildPlans::project);
 
     @Test
@@ -34,7 +37,7 @@ class CopiedChildNetTest {
 
     @Test
     void theGraphHasWhatTheEngineReaches() {
-        List<Compared> compared = LongStream.rangeClosed(1, SEEDS)
+        List<Compared> compared = LongStream.rangeClosed(1, SEEDS / ONE_GRAPH_OF)
                 .parallel()
                 .boxed()
                 .flatMap(seed -> PLANS.compare(seed).stream())
@@ -43,11 +46,11 @@ class CopiedChildNetTest {
         assertThat(compared.stream().map(Compared::difference).filter(text -> !text.isEmpty()))
                 .isEmpty();
         assertThat(compared.stream().filter(each -> each.markings() > 3).count())
-                .isGreaterThan(SEEDS / 10);
+                .isGreaterThan(SEEDS / ONE_GRAPH_OF / 10);
     }
 
-    /** What differs for a seed; empty where nothing does. */
+    /** What the engine does in random sessions on a seed's plan and the net cannot do; empty where it can do all. */
     static Optional<String> difference(long seed) {
-        return PLANS.difference(seed);
+        return PLANS.walks(seed, new AtomicLong());
     }
 }

@@ -49,7 +49,12 @@ final class CopiedChildPlans {
             net.out(
                     "t0",
                     "p1",
-                    dice.pick("take all relevant", "take all relevant", "take 1 proxy", "take all any", "add all relevant"));
+                    dice.pick(
+                            "take all relevant",
+                            "take all relevant",
+                            "take 1 proxy",
+                            "take all any",
+                            "add all relevant"));
             net.out(
                     "t0",
                     "p2",
@@ -85,7 +90,10 @@ final class CopiedChildPlans {
             net.transition("stop")
                     .input("stop", "Interrupt", Map.of("interruptName", new TextValue(EngineMarkings.BUTTON)), Map.of())
                     .in(sub, "stop", dice.pick("relevant >= 1", "always"))
-                    .out("stop", dice.pick("p0", "p3"), dice.pick("take all relevant", "take 1 proxy", "add all proxy"));
+                    .out(
+                            "stop",
+                            dice.pick("p0", "p3"),
+                            dice.pick("take all relevant", "take 1 proxy", "add all proxy"));
         }
         return net;
     }
@@ -149,7 +157,12 @@ final class CopiedChildPlans {
 
     private String inside() {
         return dice.pick(
-                "take all relevant", "take all proxy", "take all any", "take 1 proxy", "consume 1 proxy", "add 1 proxy");
+                "take all relevant",
+                "take all proxy",
+                "take all any",
+                "take 1 proxy",
+                "consume 1 proxy",
+                "add 1 proxy");
     }
 
     private NetBuilder grandchild() {

@@ -32,7 +32,6 @@ final class EngineMarkings {
     /** What is written on the button of plans that have one. */
     static final String BUTTON = "stop";
 
-
     private final Engine engine;
     private final PlanNet net;
     private final List<Input> news = new ArrayList<>();
@@ -50,7 +49,9 @@ final class EngineMarkings {
                 news.add(new Input.Received(Occurrence.news(event, named(names), Map.of())));
             }
         }
-        for (int names = 0; hasButton(net) && names < 1 << net.request().robots().size(); names++) {
+        for (int names = 0;
+                hasButton(net) && names < 1 << net.request().robots().size();
+                names++) {
             news.add(new Input.Interrupt(1, BUTTON, named(names)));
         }
         countsCopies = net.abstractions().stream().noneMatch(a -> a.text().contains("copies of"));

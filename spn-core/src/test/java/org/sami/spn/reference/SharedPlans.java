@@ -75,11 +75,7 @@ final class SharedPlans {
         }
         if (button.chance(20)) {
             net.transition("stop")
-                    .input(
-                            "stop",
-                            "Interrupt",
-                            Map.of("interruptName", new TextValue(EngineMarkings.BUTTON)),
-                            Map.of())
+                    .input("stop", "Interrupt", Map.of("interruptName", new TextValue(EngineMarkings.BUTTON)), Map.of())
                     .in(sub, "stop", button.pick("relevant >= 1", "always"))
                     .out("stop", button.pick("p0", "p2"), button.pick("take all relevant", "take 1 proxy"));
         }

@@ -32,10 +32,10 @@ class SpoiltChildTest {
                 visit("a completion is not known", "arcs.set(complete);", ""),
                 child("nobody comes back", "if (brought.contains(token)) {", "if (false) {"),
                 child("all come back", "if (brought.contains(token)) {", "if (true) {"),
-                visit("a second visit is the first one", "second.atLeast(count, 1);", "second.atLeast(count, 9);"),
+                visit("a second visit is the first one", "second.atLeast(at, 1);", "second.atLeast(at, 9);"),
                 visit("a second visit changes nothing", "leaveOpen(second);", ""),
                 visit("who waits for a completion does not", "arcs.atLeast(complete, 1)", "arcs.atLeast(complete, 0)"),
-                visit("somebody may be where nobody is", "arcs.below(count, 1);", "arcs.below(count, 9);"),
+                visit("somebody may be where nobody is", "-> arcs.below(at, 1)", "-> arcs.below(at, 9)"),
                 visit("no completion is new", "arcs.set(unused);", ""),
                 plan("a number takes all that came back", "TokenOptions", "s.requirement().n() >= least", "true"),
                 cases(
