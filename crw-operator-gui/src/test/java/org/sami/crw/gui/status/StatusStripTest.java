@@ -144,7 +144,7 @@ class StatusStripTest {
             SwingUtilities.invokeAndWait(() -> {
                 RepaintManager.setCurrentManager(new RepaintManager() {
                     @Override
-                    public void addInvalidComponent(JComponent one) {
+                    public synchronized void addInvalidComponent(JComponent one) {
                         asking.add(one);
                     }
                 });
