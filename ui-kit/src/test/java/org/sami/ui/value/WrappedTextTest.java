@@ -95,7 +95,7 @@ class WrappedTextTest {
                 int line = wrapped[0].getPreferredSize().height;
                 RepaintManager.setCurrentManager(new RepaintManager() {
                     @Override
-                    public void addInvalidComponent(JComponent one) {
+                    public synchronized void addInvalidComponent(JComponent one) {
                         asking.add(one);
                     }
                 });
