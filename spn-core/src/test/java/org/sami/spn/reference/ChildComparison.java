@@ -39,14 +39,17 @@ final class ChildComparison {
     private static final SearchBudget SMALL = new SearchBudget(3_000, 256L << 20, Duration.ofMinutes(15));
 
     private final LongFunction<Project> projects;
+    private final boolean withCopies;
 
     /**
      * Compares some plans.
      *
      * @param projects by their seeds; their transitions wait for {@link ChildPlans#EVENTS}
+     * @param withCopies whether plans that make copies of robots are among them: the graphs of their nets are large
      */
-    ChildComparison(LongFunction<Project> projects) {
+    ChildComparison(LongFunction<Project> projects, boolean withCopies) {
         this.projects = projects;
+        this.withCopies = withCopies;
     }
 
     /**
@@ -70,7 +73,7 @@ final class ChildComparison {
         try {
             return Optional.of(PlanNet.of(new PlanNetRequest(
                             projects.apply(seed), TestVocabulary.TEST, "main", ROBOTS, 2, MOST_TRANSITIONS, DEPTH)))
-                    .filter(PlanNet::followsSubMissions);
+                    .filter(net -> net.followsSubMissions() && (withCopies || !EngineMarkings.makesCopies(net)));
         } catch (PlanNetTooLargeException e) {
             return Optional.empty();
         }

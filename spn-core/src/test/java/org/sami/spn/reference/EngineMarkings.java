@@ -21,8 +21,8 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Token;
 
 /**
- * The markings to which the engine brings the mission where news of every type may come at any time and name any of the robots. each firing, where news of every type may come at any time and name any of the robots. One
- * state of each marking is followed, by news that lets a transition fire at once; random runs have news that waits as well.
+ * The markings to which the engine brings the mission of a small plan, after each firing, where news of every type, and presses of a button that the plan has, may come at any time and name
+ * any of the robots. One state of each marking is followed, by news that lets a transition fire at once; random runs have news that waits as well.
  */
 final class EngineMarkings {
     private static final int MOST_MARKINGS = 3_000;
@@ -55,6 +55,11 @@ final class EngineMarkings {
             news.add(new Input.Interrupt(1, BUTTON, named(names)));
         }
         countsCopies = net.abstractions().stream().noneMatch(a -> a.text().contains("copies of"));
+    }
+
+    /** Whether the plan itself makes copies of robots that the net does not count. */
+    static boolean makesCopies(PlanNet net) {
+        return net.abstractions().stream().anyMatch(a -> a.text().startsWith("the plan can make copies of"));
     }
 
     /** Whether the plan has a transition that waits for the button. */

@@ -16,7 +16,7 @@ import org.sami.spn.reference.ChildComparison.Compared;
  */
 class SharedNetTest {
     private static final long SEEDS = Long.getLong("spn.seeds", 250);
-    private static final ChildComparison PLANS = new ChildComparison(SharedPlans::project);
+    private static final ChildComparison PLANS = new ChildComparison(SharedPlans::project, true);
 
     @Test
     void theNetDoesWhatTheEngineDoes() {

@@ -75,7 +75,7 @@ public final class OperatorPanels implements AutoCloseable {
                     .below(
                             "decisions",
                             "missions",
-                            0.57) // by themselves, so that what waits stays in sight, and so does the net
+                            0.64) // by themselves, so that what waits stays in sight, and so does the net
                     .behind("gantt", "missions")
                     .behind("boat", "missions") // the list of boats stays in sight
                     .behind("interrupts", "missions")
