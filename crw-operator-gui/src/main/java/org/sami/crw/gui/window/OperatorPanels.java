@@ -66,16 +66,13 @@ public final class OperatorPanels implements AutoCloseable {
                     .behind("log", "messages"),
             Arrangement.of("map")
                     .right("missions", "map", 0.48)
+                    .behind("pictures", "map")
                     .below("boats", "map", 0.4)
-                    .behind("pictures", "boats") // a tab row below the map would take a third of its height
                     .behind("communication", "boats")
                     .behind("alarms", "boats")
                     .behind("health", "boats")
                     .behind("log", "boats")
-                    .below(
-                            "decisions",
-                            "missions",
-                            0.64) // by themselves, so that what waits stays in sight, and so does the net
+                    .below("decisions", "missions", 0.7) // by themselves, so that what waits stays in sight
                     .behind("gantt", "missions")
                     .behind("boat", "missions") // the list of boats stays in sight
                     .behind("interrupts", "missions")
