@@ -289,19 +289,24 @@ class VehicleBoatTest {
                 proxy -> proxy.status().battery().orElseThrow().level() == BatteryLevel.CRITICAL);
     }
 
+    /** Its command fails for a reason that contains these words, and it is not armed. */
+    private void assertFailsUnarmed(String words) {
+        Await.until(
+                "the command fails",
+                GatewayWorld.WAIT_S,
+                () -> world.has(
+                        FleetEvent.CommandFailed.class,
+                        failed -> failed.reason().contains(words)));
+        assertThat(boat.isArmed()).isFalse();
+    }
+
     @Test
     void refusalsAreInTheAutopilotsWords() {
         boat.faults().refuseArming("PreArm: GPS 1: Bad fix");
 
         submit(path(FIRST));
 
-        Await.until(
-                "the command fails",
-                GatewayWorld.WAIT_S,
-                () -> world.has(
-                        FleetEvent.CommandFailed.class,
-                        failed -> failed.reason().contains("vehicle 7 fails to arm: PreArm: GPS 1: Bad fix")));
-        assertThat(boat.isArmed()).isFalse();
+        assertFailsUnarmed("vehicle 7 fails to arm: PreArm: GPS 1: Bad fix");
     }
 
     @Test
@@ -310,13 +315,7 @@ class VehicleBoatTest {
 
         submit(path(FIRST));
 
-        Await.until(
-                "the command fails",
-                GatewayWorld.WAIT_S,
-                () -> world.has(
-                        FleetEvent.CommandFailed.class,
-                        failed -> failed.reason().contains("(its firmware lacks this command: update it)")));
-        assertThat(boat.isArmed()).isFalse();
+        assertFailsUnarmed("(its firmware lacks this command: update it)");
     }
 
     @Test
