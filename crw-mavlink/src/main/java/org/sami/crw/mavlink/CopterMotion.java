@@ -126,12 +126,8 @@ final class CopterMotion extends VehicleMotion {
                     onceUp = leg.item();
                     flies(order, leg);
                 });
-        Runnable arm = () -> order.command(
-                base.command(id, VehicleCommand.arm()),
-                () -> order.await(
-                        VehicleSnapshot::armed,
-                        "arm",
-                        () -> goTo(order, item, leg, () -> order.mode(AUTO, true, start))));
+        Runnable arm = () -> order.arm(() -> order.await(
+                VehicleSnapshot::armed, "arm", () -> goTo(order, item, leg, () -> order.mode(AUTO, true, start))));
         order.mode(GUIDED, vehicle().armed(), arm);
     }
 

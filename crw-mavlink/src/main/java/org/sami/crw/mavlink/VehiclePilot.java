@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.CommandOutcome;
+import org.sami.mavlink.command.CommandVerdict;
 import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -56,6 +57,7 @@ final class VehiclePilot {
         private String words = "";
         private long untilMs = Long.MAX_VALUE;
         private boolean waits;
+        private boolean mayHaveArmed;
         private final Optional<Ordered> otherwise; // in force again where it fails
 
         private Order(Consumer<Optional<String>> ended, Optional<Ordered> otherwise) {
@@ -117,8 +119,25 @@ final class VehiclePilot {
             }
         }
 
-        /** It ends, for a reason in words; an order that is void has ended already. */
+        /** It ends, for a reason in words, once motors that it has armed are off again; an order that is void has ended already. */
         void fail(String why) {
+            if (isVoid()) {
+                return;
+            }
+            waits = false;
+            if (mayHaveArmed) {
+                mayHaveArmed = false;
+                Results.when(
+                        base.command(id, VehicleCommand.disarm()),
+                        thread,
+                        outcome -> end(outcome.isAccepted() ? why : why + "; it stays armed: " + outcome.inWords()),
+                        unheard -> end(why));
+            } else {
+                end(why);
+            }
+        }
+
+        private void end(String why) {
             if (isVoid()) {
                 return;
             }
@@ -137,12 +156,19 @@ final class VehiclePilot {
             ended.accept(Optional.empty());
         }
 
-        /** Lets the motors turn, unless they may already. */
+        /** Lets the motors turn, unless they may already. Where the order fails later, they are turned off again. */
         void arm(Runnable next) {
             if (now.armed()) {
                 next.run();
             } else {
-                command(base.command(id, VehicleCommand.arm()), next);
+                Results.when(
+                        base.command(id, VehicleCommand.arm()),
+                        thread,
+                        outcome -> {
+                            mayHaveArmed = outcome.isAccepted() || outcome.verdict() == CommandVerdict.UNANSWERED;
+                            took(outcome, next);
+                        },
+                        this::fail);
             }
         }
 

@@ -8,7 +8,8 @@ import java.util.Optional;
  * monotonic clock. The holder renews the row and waits until the replica has applied it. It counts its own limit from before that request, so its lease ends before the standby judges it over.
  *
  * <p>Whether the holder counts on this standby stands in the row. A standby that was away, as its database did not answer or its machine slept, may have missed that it no longer does: it has to
- * see the row renewed again before it goes on by itself.
+ * see the row renewed again before it goes on by itself. A standby that did not look for less than a lease's length has missed nothing: a row that is the same before and after stood still all the
+ * while, as each renewal changes it.
  */
 final class LeaseObservation {
     private final Duration length;
@@ -45,7 +46,7 @@ final class LeaseObservation {
      * @param follows whether the row is of now: an old replica, which gets nothing, has an old row
      */
     Verdict look(LeaseTable.Holder holder, long nowNanos, boolean follows) {
-        if (seen.isPresent() && nowNanos - lookNanos > length.toNanos() / 2) {
+        if (seen.isPresent() && nowNanos - lookNanos > length.toNanos()) {
             forget();
         }
         lookNanos = nowNanos;

@@ -59,12 +59,14 @@ final class LeaseTable {
             + "')";
 
     /**
-     * The epoch of the next holder. A replica that became the database has a higher timeline. Its epochs are then higher than any that the other database can still give, however often a
-     * base goes on there.
+     * The lowest epoch that is given in the database of a pair as it is now. A replica that became the database has a higher timeline. Its epochs are then higher than any that the other database
+     * can still give, however often a base goes on there.
      */
+    private static final String FIRST_EPOCH = "(1 + " + PairSetting.EPOCHS_OF_A_TIMELINE
+            + " * (('x' || substr(pg_walfile_name(pg_current_wal_lsn()), 1, 8))::bit(32)::bigint - 1))";
+
     private static final String NEXT_EPOCH = "CASE WHEN coalesce(current_setting('" + PairSetting.NAME
-            + "', true), '') = '' THEN epoch + 1 ELSE greatest(epoch + 1, 1 + " + PairSetting.EPOCHS_OF_A_TIMELINE
-            + " * (('x' || substr(pg_walfile_name(pg_current_wal_lsn()), 1, 8))::bit(32)::bigint - 1)) END";
+            + "', true), '') = '' THEN epoch + 1 ELSE greatest(epoch + 1, " + FIRST_EPOCH + ") END";
 
     private LeaseTable() {}
 
@@ -175,6 +177,15 @@ final class LeaseTable {
             update.setLong(2, holder.get().epoch());
             return epoch(update).isPresent() ? holder : Optional.empty();
         }
+    }
+
+    /**
+     * Whether the lease was taken in the other database of a pair and is not given back: this one was its replica then, and nobody has gone on with the session here since. Not of a replica.
+     */
+    static boolean isOfOtherDatabase(Connection connection) throws SQLException {
+        return Connections.text(
+                        connection, "SELECT epoch < " + FIRST_EPOCH + " AND isfinite(ends) FROM lease WHERE epoch > 0")
+                .equals("t");
     }
 
     /** Who has it, or had it last; empty where nobody ever had. */

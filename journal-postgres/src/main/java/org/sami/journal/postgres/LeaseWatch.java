@@ -51,7 +51,7 @@ final class LeaseWatch {
     LeaseWatch(PostgresAddress address, LeaseTerms terms, LongSupplier nanos, Taking taking, Consumer<String> lines) {
         this.address = address;
         this.nanos = nanos;
-        this.forgetAfterNanos = terms.length().toNanos() / 2;
+        this.forgetAfterNanos = terms.length().toNanos();
         this.others = new OtherSessions(address, terms.length());
         this.observation = new LeaseObservation(terms.length());
         this.taking = taking;

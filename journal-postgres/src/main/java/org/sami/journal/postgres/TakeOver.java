@@ -26,6 +26,16 @@ public final class TakeOver {
         }
     }
 
+    /**
+     * Whether a base that held the journal in the other database of a pair did not give it away, and this database, which was a replica, was promoted without a base that goes on with it. Not of a
+     * replica.
+     */
+    public static boolean isLeftByOtherDatabase(PostgresAddress address) throws SQLException {
+        try (Connection connection = Connections.toRenew(address, ANSWER_SECONDS)) {
+            return Migrations.isThere(connection, address) && LeaseTable.isOfOtherDatabase(connection);
+        }
+    }
+
     /** Who holds a journal, for people; empty where nobody does, by what the database knows. */
     public static Optional<String> holder(PostgresAddress address) throws SQLException {
         try (Connection connection = Connections.toRenew(address, ANSWER_SECONDS)) {

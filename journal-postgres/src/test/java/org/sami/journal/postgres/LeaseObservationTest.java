@@ -76,6 +76,41 @@ class LeaseObservationTest {
     }
 
     @Test
+    void aStandbyThatStoodStillForLessThanALeaseGoesOnCounting() {
+        look(observation, holder(1, "a", true));
+        look(observation, holder(1, "b", true));
+
+        millis += LENGTH.toMillis() - 2 * STEP_MILLIS;
+
+        assertThat(look(observation, holder(1, "b", true))).isEqualTo(Verdict.WATCHED);
+        assertThat(look(observation, holder(1, "b", true))).isEqualTo(Verdict.OVER);
+    }
+
+    @Test
+    void aRenewalThatCameWhileTheStandbyStoodStillIsSeenAfterwards() {
+        look(observation, holder(1, "a", true));
+        look(observation, holder(1, "b", true));
+
+        millis += LENGTH.toMillis() - 2 * STEP_MILLIS;
+
+        assertThat(look(observation, holder(1, "c", true))).isEqualTo(Verdict.WATCHED);
+        assertThat(lookFor(observation, holder(1, "c", true), LENGTH.toMillis() - STEP_MILLIS))
+                .isEqualTo(Verdict.WATCHED);
+        assertThat(look(observation, holder(1, "c", true))).isEqualTo(Verdict.OVER);
+    }
+
+    @Test
+    void aHolderThatWentAloneWhileTheStandbyStoodStillIsNotFollowedByItself() {
+        look(observation, holder(1, "a", true));
+        look(observation, holder(1, "b", true));
+
+        millis += LENGTH.toMillis() - 2 * STEP_MILLIS;
+
+        assertThat(lookFor(observation, holder(1, "c", false), 10 * LENGTH.toMillis()))
+                .isEqualTo(Verdict.STANDS_STILL);
+    }
+
+    @Test
     void aDatabaseThatWasAwayMakesItForget() {
         look(observation, holder(1, "a", true));
         look(observation, holder(1, "b", true));

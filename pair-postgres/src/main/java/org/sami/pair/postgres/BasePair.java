@@ -182,8 +182,18 @@ public final class BasePair {
         return StandbyMonitor.start(folder, clock, listener);
     }
 
-    /** What a take-over at a person's word would lose, for people; empty where nothing is lost, as the other base answers and gives the session away in order. */
-    public Optional<String> lossOfTakeOver() throws PairException {
+    /**
+     * What a take-over at a person's word would lose, for people; empty where nothing is lost, as the other base answers and gives the session away in order.
+     *
+     * @param name of the session
+     * @throws PairException if this base has the session
+     */
+    public Optional<String> lossOfTakeOver(String name) throws PairException {
+        if (part() == Part.DATABASE) {
+            checkLeft(name);
+            return Optional.of("The database of this base no longer follows that of " + settings.other()
+                    + "; what the other wrote alone after that is lost");
+        }
         try (Connection other = connections.other()) {
             if (!Replication.isReplica(other)) {
                 return Optional.empty();
@@ -207,7 +217,12 @@ public final class BasePair {
      */
     public Optional<String> takeOver(String name, boolean lossConfirmed) throws PairException {
         if (part() == Part.DATABASE) {
-            throw new PairException("this base has the session's database: nothing is to be taken over");
+            checkLeft(name);
+            if (!lossConfirmed) {
+                throw new PairException("the database of this base no longer follows that of " + settings.other()
+                        + "; nothing was taken over");
+            }
+            return takeHere(name);
         }
         try (Connection other = connections.other()) {
             if (!Replication.isReplica(other)) {
@@ -223,11 +238,24 @@ public final class BasePair {
                         settings.other() + ": " + DatabaseFaults.words(fault) + "; nothing was taken over", fault);
             }
         }
+        return takeHere(name);
+    }
+
+    private Optional<String> takeHere(String name) throws PairException {
         try (Connection patient = connections.own(PROMOTION_SECONDS)) {
-            Replication.promote(patient, PROMOTION_SECONDS);
+            if (Replication.isReplica(patient)) {
+                Replication.promote(patient, PROMOTION_SECONDS);
+            }
             return TakeOver.takeAway(connections.journal(name));
         } catch (SQLException fault) {
             throw new PairException("the database of this base: " + DatabaseFaults.words(fault), fault);
+        }
+    }
+
+    /** Where this base's replica was promoted by other means than this program, nobody may have gone on with the session since. */
+    private void checkLeft(String name) throws PairException {
+        if (!this.<Boolean>own(connection -> TakeOver.isLeftByOtherDatabase(connections.journal(name)))) {
+            throw new PairException("this base has the session's database: nothing is to be taken over here");
         }
     }
 

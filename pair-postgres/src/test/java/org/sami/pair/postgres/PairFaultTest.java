@@ -120,7 +120,7 @@ class PairFaultTest {
             Future<StoredJournal> waiting = sessions.takeOver("sami");
             sessions.awaitWords("the session is held by");
 
-            assertThat(second.lossOfTakeOver()).isEmpty();
+            assertThat(second.lossOfTakeOver("sami")).isEmpty();
             assertThat(second.takeOver("sami", false)).isPresent();
 
             try (StoredJournal taken = waiting.get()) {
@@ -148,7 +148,7 @@ class PairFaultTest {
             sessions.awaitWords("who may go on without this base");
             assertThat(waiting.isDone()).isFalse();
 
-            assertThat(second.lossOfTakeOver().orElseThrow())
+            assertThat(second.lossOfTakeOver("sami").orElseThrow())
                     .startsWith(bases.firstAddress + " does not answer. This base received the last of it at ")
                     .endsWith("is lost");
             second.takeOver("sami", true);

@@ -12,7 +12,6 @@ import org.sami.journal.postgres.DatabaseFaults;
 import org.sami.journal.postgres.PostgresAddress;
 import org.sami.journal.postgres.TakeOver;
 import org.sami.pair.postgres.BasePair;
-import org.sami.pair.postgres.PairException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -75,10 +74,7 @@ public final class TakeOverCommand implements Callable<Integer> {
 
     private Optional<String> ofPair() throws IOException {
         BasePair pair = BasePair.open(folder.folder());
-        if (pair.part() == BasePair.Part.DATABASE) {
-            throw new PairException("this base has the session's database: nothing is to be taken over here");
-        }
-        Optional<String> loss = pair.lossOfTakeOver();
+        Optional<String> loss = pair.lossOfTakeOver(name);
         if (loss.isPresent() && !confirm) {
             throw new UsageFault(loss.get() + ". To do it: crw take-over --confirm");
         }

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.sami.boat.server.testing.Await;
 import org.sami.crw.cli.CrwProcess;
 import org.sami.session.client.testing.TwoNetworks;
 
@@ -109,6 +110,7 @@ class PairProcessTest {
 
             pair.promote(1);
 
+            pair.awaitGoesOn(1, second);
             await(second, SERVES);
             assertThat(first.out()).as("the first stopped before").contains("this base stops commanding");
             await(first, pair.address(1) + " took the session over");
@@ -118,6 +120,32 @@ class PairProcessTest {
                 await(again, READY);
                 await(second, PROTECTED);
             }
+        }
+    }
+
+    /** It cannot know then whether the first went on alone meanwhile. */
+    @Test
+    void aStandbyThatStoodStillWhileItsReplicaWasPromotedGoesOnAtTheWordOfAPerson() throws Exception {
+        try (PairedProcesses pair = PairedProcesses.onLoopback(folder);
+                CrwProcess first = pair.serve(0);
+                CrwProcess second = pair.serve(1)) {
+            await(first, PROTECTED);
+            await(second, READY);
+
+            second.standStill(true);
+            pair.promote(1);
+            await(first, pair.address(1) + " took the session over");
+            assertThat(first.await(120)).isEqualTo(4);
+            Await.holds("longer than a lease", 5, () -> !second.out().contains(SERVES));
+            second.standStill(false);
+
+            await(second, "who may go on without this base: if not, 'crw take-over'");
+            assertThat(pair.refused(1, 2, "take-over"))
+                    .contains("The database of this base no longer follows that of " + pair.address(0))
+                    .contains("is lost. To do it: crw take-over --confirm");
+            assertThat(pair.run(1, "take-over", "--confirm")).contains("the base that stands by goes on with it");
+            await(second, SERVES);
+            assertThat(pair.refused(1, 4, "take-over", "--confirm")).contains("nothing is to be taken over here");
         }
     }
 

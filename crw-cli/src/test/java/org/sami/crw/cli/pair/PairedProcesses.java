@@ -134,6 +134,14 @@ final class PairedProcesses implements AutoCloseable {
         }
     }
 
+    /** Runs a command on a base, which refuses with an exit code; gives what it said to that. */
+    String refused(int base, int exitCode, String... arguments) throws IOException, InterruptedException {
+        try (CrwProcess process = start(base, arguments)) {
+            assertThat(process.await(COMMAND_S)).as(process.out()).isEqualTo(exitCode);
+            return process.err();
+        }
+    }
+
     /** Starts a command on a base. */
     CrwProcess start(int base, String... arguments) throws IOException {
         List<String> line = new ArrayList<>(List.of(arguments));
@@ -176,9 +184,29 @@ final class PairedProcesses implements AutoCloseable {
         return ProcessHandle.of(Long.parseLong(pid)).orElseThrow();
     }
 
+    /** Waits until a base has the session; on a machine on which it stood still for seconds, it asks for the word of a person, which it gets. */
+    void awaitGoesOn(int base, CrwProcess process) throws IOException, InterruptedException {
+        Await.until("it has the session", AT_MOST_S, () -> hasSession(process) || asksAPerson(process));
+        if (!hasSession(process)) {
+            run(base, "take-over", "--confirm");
+        }
+    }
+
+    private static boolean hasSession(CrwProcess process) {
+        return process.out().contains("the session is at ");
+    }
+
+    private static boolean asksAPerson(CrwProcess process) {
+        return process.out().contains("if not, 'crw take-over'");
+    }
+
     /** Waits until a process says something. */
     static void await(CrwProcess process, String words) {
-        Await.until("'" + words + "'", AT_MOST_S, () -> process.out().contains(words) || !process.isAlive());
+        try {
+            Await.until("'" + words + "'", AT_MOST_S, () -> process.out().contains(words) || !process.isAlive());
+        } catch (AssertionError late) {
+            throw new AssertionError(late.getMessage() + ", it says: " + process.out() + process.err(), late);
+        }
         assertThat(process.out()).as(process.err()).contains(words);
     }
 
