@@ -56,16 +56,13 @@ final class CopterMotion extends VehicleMotion {
 
     /** In the air it stays where it is; on the ground its motors are turned off. */
     @Override
-    void stop(Consumer<Optional<String>> ended) {
-        leaveHand();
+    void stopBy(VehiclePilot.Order order) {
         onceUp = Optional.empty();
-        VehiclePilot.Order order = begin(ended);
-        stopsBy(order);
         if (isAirborne(vehicle())) {
             brake(order);
         } else {
-            order.command(
-                    base.command(id, VehicleCommand.disarm()),
+            order.commandUntilAnswered(
+                    () -> base.command(id, VehicleCommand.disarm()),
                     () -> order.await(
                             now -> !now.armed(),
                             "turn its motors off",
@@ -76,8 +73,8 @@ final class CopterMotion extends VehicleMotion {
 
     private void brake(VehiclePilot.Order order) {
         VehiclePilot.Ordered brake = new VehiclePilot.Ordered(BRAKE, true);
-        order.command(
-                base.setMode(id, BRAKE),
+        order.commandUntilAnswered(
+                () -> base.setMode(id, BRAKE),
                 () -> order.await(brake::isSo, "come into mode " + BRAKE, () -> order.done(brake)));
     }
 

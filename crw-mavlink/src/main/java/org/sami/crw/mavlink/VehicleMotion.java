@@ -115,16 +115,6 @@ class VehicleMotion {
                 && pilot.ordered().filter(state -> state.mode().equals(GUIDED)).isPresent();
     }
 
-    /** Takes the sticks out of force. */
-    final void leaveHand() {
-        hand = Optional.empty();
-    }
-
-    /** The order with which it is being stopped. */
-    final void stopsBy(VehiclePilot.Order order) {
-        stopping = Optional.of(order);
-    }
-
     /** The order with which it sets off along a mission. */
     final void setsOffBy(VehiclePilot.Order order) {
         settingOff = Optional.of(order);
@@ -179,25 +169,44 @@ class VehicleMotion {
         return pilot.begin(ended);
     }
 
-    /** Motors off at once, and mode HOLD, so that it lies still if somebody arms it again. */
-    void stop(Consumer<Optional<String>> ended) {
+    /** Stops it, and asks for that until the vehicle answers. A stop of a vehicle that is being stopped ends with the one under way. */
+    final void stop(Consumer<Optional<String>> ended) {
+        if (isStopping()) {
+            stopping.orElseThrow().tellAlso(ended);
+            return;
+        }
         hand = Optional.empty();
         VehiclePilot.Order order = begin(ended);
-        stopsBy(order);
-        order.command(
-                base.command(id, VehicleCommand.disarmAtOnce()),
-                () -> order.command(
-                        base.setMode(id, HOLD), // even if it was last seen in it: that may be older than an order
+        stopping = Optional.of(order);
+        stopBy(order);
+    }
+
+    /** Motors off at once, and mode HOLD, so that it lies still if somebody arms it again. */
+    void stopBy(VehiclePilot.Order order) {
+        order.commandUntilAnswered(
+                () -> base.command(id, VehicleCommand.disarmAtOnce()),
+                () -> order.commandUntilAnswered(
+                        () -> base.setMode(id, HOLD), // even if it was last seen in it: that may be older than an order
                         () -> order.mode(HOLD, false, () -> order.done(new VehiclePilot.Ordered(HOLD, false)))));
     }
 
     /** Keeps its place. */
     void hold(Consumer<Optional<String>> ended) {
-        VehiclePilot.Ordered loiter = new VehiclePilot.Ordered(LOITER, true);
         byItself(ended)
-                .ifPresent(order -> order.arm(() -> order.command(
-                        base.setMode(id, LOITER), // even if it was last seen in it, as in a stop
-                        () -> order.await(loiter::isSo, "come into mode " + LOITER, () -> order.done(loiter)))));
+                .ifPresent(order -> arm(
+                        order,
+                        () -> order.modeAnew(LOITER, true, () -> order.done(new VehiclePilot.Ordered(LOITER, true)))));
+    }
+
+    /** Arms it in a mode in which it lies still: one that was disarmed on its way would go on with that way. */
+    private void arm(VehiclePilot.Order order, Runnable next) {
+        if (vehicle().armed()
+                || vehicle().mode().equals(HOLD)
+                || vehicle().mode().equals(MANUAL)) {
+            order.arm(next);
+        } else {
+            order.modeAnew(HOLD, false, () -> order.arm(next));
+        }
     }
 
     /** Begins an order that needs a position; without one it is refused, and the order before stays in force. */
@@ -213,11 +222,13 @@ class VehicleMotion {
     /** Goes to a single place and keeps it. */
     void guide(Waypoint place, double speedMps, Runnable started, Consumer<Optional<String>> ended) {
         byItself(ended)
-                .ifPresent(order -> order.arm(() -> order.mode(
-                        GUIDED,
-                        true,
-                        () -> order.command(
-                                base.command(id, reposition(place)), () -> goes(order, speedMps, started)))));
+                .ifPresent(order -> arm(
+                        order,
+                        () -> order.mode(
+                                GUIDED,
+                                true,
+                                () -> order.command(
+                                        base.command(id, reposition(place)), () -> goes(order, speedMps, started)))));
     }
 
     private void goes(VehiclePilot.Order order, double speedMps, Runnable started) {
@@ -241,13 +252,15 @@ class VehicleMotion {
 
     void follow(VehiclePilot.Order order, Leg leg) {
         setsOffBy(order);
-        Runnable drive = () -> order.arm(() -> order.mode(
-                AUTO,
-                true,
-                () -> order.command(base.command(id, VehicleCommand.setSpeed(leg.speedMps)), () -> {
-                    leg.started.run();
-                    order.done(new VehiclePilot.Ordered(AUTO, true));
-                })));
+        Runnable drive = () -> arm(
+                order,
+                () -> order.mode(
+                        AUTO,
+                        true,
+                        () -> order.command(base.command(id, VehicleCommand.setSpeed(leg.speedMps)), () -> {
+                            leg.started.run();
+                            order.done(new VehiclePilot.Ordered(AUTO, true));
+                        })));
         leg.item.ifPresentOrElse(
                 item -> order.command(base.command(id, VehicleCommand.setCurrentItem(item)), () -> {
                     leg.goesThere.run();

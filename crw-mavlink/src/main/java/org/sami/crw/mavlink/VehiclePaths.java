@@ -181,7 +181,7 @@ final class VehiclePaths {
     // ---- what is asked
 
     /**
-     * A vehicle that is on its way, sets off, or keeps its place at the end of its mission, keeps its place until the new list is started; where it does not, the old one
+     * A vehicle that is on its way, sets off, or keeps its place at the end of its way, keeps its place until the new list is started; where it does not, the old one
      * stays. So no item is replaced under a vehicle that carries it out.
      */
     void upload(UploadWaypoints upload, boolean isUnderWay, Consumer<LinkMessage> answer) {
@@ -202,7 +202,7 @@ final class VehiclePaths {
             broadcast.accept(progress());
             list.filter(this::isMission).ifPresent(store::put);
         };
-        if (isUnderWay || motion.isInAuto() || motion.isSettingOff()) {
+        if (isUnderWay || motion.isInAuto() || motion.isGuided() || motion.isSettingOff()) {
             motion.hold(why -> why.ifPresentOrElse(words -> answer.accept(refused(upload, words)), taken));
         } else {
             taken.run();

@@ -1,10 +1,13 @@
 package org.sami.crw.mavlink;
 
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.CommandOutcome;
 import org.sami.mavlink.command.CommandVerdict;
@@ -40,6 +43,8 @@ final class VehiclePilot {
     private VehicleSnapshot now;
     private long nowMs;
     private Optional<Order> running = Optional.empty();
+    private boolean disarms; // by an order that failed: it may be off, or soon, whatever it reports
+    private boolean disarmAccepted;
     private Optional<Ordered> ordered = Optional.empty(); // reported by the vehicle since
 
     VehiclePilot(MavlinkBase base, VehicleSnapshot first, Executor thread) {
@@ -51,9 +56,11 @@ final class VehiclePilot {
 
     /** Steps of one order, and who waits for its end. */
     final class Order {
-        private final Consumer<Optional<String>> ended; // empty where all is done, or why it is not
+        private final Set<String> modes = new HashSet<>(); // in which it was or was commanded to be by this order
+        private Consumer<Optional<String>> ended; // empty where all is done, or why it is not
         private Predicate<VehicleSnapshot> awaited = vehicle -> true;
         private Runnable then = () -> {};
+        private Consumer<String> late = why -> {};
         private String words = "";
         private long untilMs = Long.MAX_VALUE;
         private boolean waits;
@@ -63,6 +70,11 @@ final class VehiclePilot {
         private Order(Consumer<Optional<String>> ended, Optional<Ordered> otherwise) {
             this.ended = ended;
             this.otherwise = otherwise;
+        }
+
+        /** Tells one more of its end. */
+        void tellAlso(Consumer<Optional<String>> other) {
+            ended = ended.andThen(other);
         }
 
         /** Whether a later order has come, or none holds any longer. */
@@ -75,14 +87,28 @@ final class VehiclePilot {
             Results.when(asked, thread, outcome -> took(outcome, next), this::fail);
         }
 
-        /** Goes on with the next step once the vehicle accepts, with another where it refuses. */
-        void command(CompletableFuture<CommandOutcome> asked, Runnable next, Runnable refused) {
+        /** The same, asked again for as long as the vehicle does not answer and no later order has come. */
+        void commandUntilAnswered(Supplier<CompletableFuture<CommandOutcome>> ask, Runnable next) {
+            untilAnswered(ask, outcome -> took(outcome, next));
+        }
+
+        /** The same, with another step where it refuses. */
+        void commandUntilAnswered(Supplier<CompletableFuture<CommandOutcome>> ask, Runnable next, Runnable refused) {
+            untilAnswered(ask, outcome -> (outcome.isAccepted() ? next : refused).run());
+        }
+
+        private void untilAnswered(Supplier<CompletableFuture<CommandOutcome>> ask, Consumer<CommandOutcome> answered) {
             Results.when(
-                    asked,
+                    ask.get(),
                     thread,
                     outcome -> {
-                        if (!isVoid()) {
-                            (outcome.isAccepted() ? next : refused).run();
+                        if (isVoid()) {
+                            return;
+                        }
+                        if (outcome.verdict() == CommandVerdict.UNANSWERED) {
+                            untilAnswered(ask, answered);
+                        } else {
+                            answered.accept(outcome);
                         }
                     },
                     this::fail);
@@ -98,9 +124,14 @@ final class VehiclePilot {
 
         /** Goes on once it is seen in what the vehicle reports. */
         void await(Predicate<VehicleSnapshot> seen, String what, Runnable next) {
+            await(seen, what, next, this::fail);
+        }
+
+        private void await(Predicate<VehicleSnapshot> seen, String what, Runnable next, Consumer<String> otherwise) {
             awaited = seen;
             words = what;
             then = next;
+            late = otherwise;
             untilMs = nowMs + SEEN_WITHIN_MS;
             waits = true;
             look();
@@ -114,26 +145,55 @@ final class VehiclePilot {
                 waits = false;
                 then.run();
             } else if (nowMs > untilMs) {
-                fail("vehicle " + id + " accepts, but does not " + words + ": it is in mode " + now.mode()
+                waits = false;
+                late.accept("vehicle " + id + " accepts, but does not " + words + ": it is in mode " + now.mode()
                         + arming(now.armed()));
             }
         }
 
-        /** It ends, for a reason in words, once motors that it has armed are off again; an order that is void has ended already. */
+        /**
+         * It ends, for a reason in words, once motors that it has armed are off again; an order that is void has ended already. A vehicle that somebody else, or its failsafe, has put into a mode of
+         * theirs meanwhile is not disarmed.
+         */
         void fail(String why) {
             if (isVoid()) {
                 return;
             }
             waits = false;
-            if (mayHaveArmed) {
+            if (mayHaveArmed && modes.contains(now.mode())) {
                 mayHaveArmed = false;
-                Results.when(
-                        base.command(id, VehicleCommand.disarm()),
-                        thread,
-                        outcome -> end(outcome.isAccepted() ? why : why + "; it stays armed: " + outcome.inWords()),
-                        unheard -> end(why));
+                disarm(why);
             } else {
                 end(why);
+            }
+        }
+
+        private void disarm(String why) {
+            disarms = true;
+            disarmAccepted = false;
+            Results.when(
+                    base.command(id, VehicleCommand.disarm()),
+                    thread,
+                    outcome -> disarmed(outcome, why),
+                    unheard -> end(why));
+        }
+
+        private void disarmed(CommandOutcome outcome, String why) {
+            if (outcome.verdict() == CommandVerdict.REPLACED) {
+                return; // by a later order, which has voided this one
+            }
+            if (outcome.isAccepted()) {
+                disarmAccepted = true;
+                if (!isVoid()) {
+                    await(
+                            vehicle -> !vehicle.armed(),
+                            "turn its motors off",
+                            () -> end(why),
+                            words -> end(why + "; " + words));
+                }
+            } else {
+                disarms = outcome.verdict() == CommandVerdict.UNANSWERED;
+                end(why + "; it stays armed: " + outcome.inWords());
             }
         }
 
@@ -158,9 +218,11 @@ final class VehiclePilot {
 
         /** Lets the motors turn, unless they may already. Where the order fails later, they are turned off again. */
         void arm(Runnable next) {
-            if (now.armed()) {
+            if (now.armed() && !disarms) {
                 next.run();
             } else {
+                disarms = false; // this command takes the place of the one that disarms
+                modes.add(now.mode());
                 Results.when(
                         base.command(id, VehicleCommand.arm()),
                         thread,
@@ -174,14 +236,19 @@ final class VehiclePilot {
 
         /** Changes the mode and waits until the vehicle says that it is in it, with its motors as they should be. */
         void mode(String mode, boolean armed, Runnable next) {
-            Ordered state = new Ordered(mode, armed);
-            if (state.isSo(now)) {
+            modes.add(mode);
+            if (new Ordered(mode, armed).isSo(now)) {
                 next.run();
             } else {
-                command(
-                        base.setMode(id, mode),
-                        () -> await(state::isSo, "come into mode " + mode + arming(armed), next));
+                modeAnew(mode, armed, next);
             }
+        }
+
+        /** The same, also where it was last seen in it: that may be older than an order. */
+        void modeAnew(String mode, boolean armed, Runnable next) {
+            Ordered state = new Ordered(mode, armed);
+            modes.add(mode);
+            command(base.setMode(id, mode), () -> await(state::isSo, "come into mode " + mode + arming(armed), next));
         }
     }
 
@@ -239,6 +306,7 @@ final class VehiclePilot {
     boolean reported(VehicleSnapshot vehicle, long atMs) {
         now = vehicle;
         nowMs = atMs;
+        disarms &= vehicle.armed() || !disarmAccepted;
         running.ifPresent(Order::look);
         if (hasLanded()) { // whoever starts its motors again is somebody else
             ordered = ordered.map(state -> new Ordered(state.mode(), false));

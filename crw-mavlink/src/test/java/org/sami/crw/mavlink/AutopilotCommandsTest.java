@@ -41,6 +41,7 @@ class AutopilotCommandsTest {
     private static final int HOLD = 4;
     private static final int LOITER = 5;
     private static final int AUTO = 10;
+    private static final int GUIDED = 15;
     private static final List<Waypoint> LIST =
             List.of(new Waypoint(45.71, 10.72, 1), new Waypoint(45.71, 10.73, 1), new Waypoint(45.72, 10.73, 2));
 
@@ -363,5 +364,101 @@ class AutopilotCommandsTest {
         client.untilAlarm("mav5 is taken by a pilot or another ground station (MANUAL): its missions wait until you");
         client.takeCommand();
         assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
+    }
+
+    @Test
+    void stopIsAskedForUntilTheVehicleAnswers() {
+        drive();
+        boat.faults().ignoresOrders(true);
+        StopMotors stop = new StopMotors("stop");
+        client.say(stop);
+        Await.until(
+                "it was asked longer than other orders are", () -> boat.faults().ignoredOrders() > 6);
+        client.say(stop); // as a base does while there is no answer
+
+        boat.faults().ignoresOrders(false);
+
+        assertThat(client.answerTo(stop)).isInstanceOf(Ack.class);
+        assertThat(boat.isArmed()).isFalse();
+        assertThat(boat.mode()).isEqualTo(HOLD);
+    }
+
+    private void failsToSetOff() {
+        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
+        boat.faults().refuseMode(AUTO);
+        assertThat(client.ask(new StartWaypoints("start", "first", 0)))
+                .isInstanceOfSatisfying(
+                        Nack.class, nack -> assertThat(nack.detail()).doesNotContain("armed"));
+    }
+
+    @Test
+    void vehicleThatAnOrderArmedBeforeItFailedIsDisarmed() {
+        failsToSetOff();
+
+        assertThat(boat.isArmed()).isFalse();
+    }
+
+    @Test
+    void orderAfterOneThatFailedArmsItAnew() {
+        failsToSetOff();
+
+        assertThat(client.ask(new HoldPosition("hold"))).isInstanceOf(Ack.class);
+
+        assertThat(boat.isArmed()).isTrue();
+        assertThat(boat.mode()).isEqualTo(LOITER);
+    }
+
+    @Test
+    void vehicleThatAPilotTakesWhileAnOrderRunsIsNotDisarmedAsThatFails() {
+        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
+        boat.faults().ignoresSpeeds(true);
+        StartWaypoints start = new StartWaypoints("start", "first", 0);
+        client.say(start);
+        Await.until("it drives", () -> boat.isArmed() && boat.mode() == AUTO);
+
+        boat.takenByPilot(MANUAL, true);
+
+        assertThat(client.answerTo(start)).isInstanceOf(Nack.class);
+        assertThat(boat.isArmed()).isTrue();
+        assertThat(boat.mode()).isEqualTo(MANUAL);
+    }
+
+    @Test
+    void vehicleThatWasDisarmedOnItsWayIsArmedLyingStill() {
+        drive();
+        boat.takenByPilot(AUTO, false);
+        Await.until("it is noticed that it is taken", client::isObserver);
+        client.takeCommand();
+        assertThat(client.ask(new UploadWaypoints("upload one", "one", LIST.subList(0, 1))))
+                .isInstanceOf(Ack.class);
+        boat.faults().refuseMode(GUIDED);
+
+        assertThat(client.ask(new StartWaypoints("go", "one", 0))).isInstanceOf(Nack.class);
+
+        assertThat(boat.orderedModes()).containsExactly(AUTO, HOLD, GUIDED);
+        assertThat(boat.mode()).isEqualTo(HOLD);
+        assertThat(boat.isArmed()).isFalse();
+    }
+
+    @Test
+    void pathThatEndsWhereItLiesIsNotTakenForDrivenBeforeItIsStarted() {
+        Waypoint near = new Waypoint(45.70001, 10.72, 1);
+        assertThat(client.ask(new UploadWaypoints("upload near", "near", List.of(near))))
+                .isInstanceOf(Ack.class);
+        assertThat(client.ask(new StartWaypoints("go", "near", 0))).isInstanceOf(Ack.class);
+        Await.until("it is there", () -> isCompleted("near"));
+
+        assertThat(client.ask(new UploadWaypoints("upload loop", "loop", List.of(LIST.get(0), near))))
+                .isInstanceOf(Ack.class);
+
+        long before = client.count(Telemetry.class);
+        Await.until("it has said where it is", () -> client.count(Telemetry.class) > before + 2);
+        assertThat(isCompleted("loop")).isFalse();
+        assertThat(boat.mode()).as("it keeps its place").isEqualTo(LOITER);
+    }
+
+    private boolean isCompleted(String list) {
+        return client.hasHeard(message ->
+                message instanceof Progress progress && progress.listId().equals(list) && progress.completed());
     }
 }

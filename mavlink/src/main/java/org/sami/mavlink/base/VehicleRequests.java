@@ -9,6 +9,7 @@ import java.util.function.BiConsumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import org.sami.mavlink.command.CommandOutcome;
+import org.sami.mavlink.command.PendingCommands;
 import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
@@ -97,19 +98,19 @@ final class VehicleRequests {
         return result;
     }
 
-    /** Asks a vehicle for the messages of a plan. */
+    /** Asks a vehicle for the messages of a plan, in place of those of an earlier one that wait to be asked for: a vehicle that does not answer is asked slowly. */
     void messages(VehicleId vehicle, MessagePlan plan) {
         if (plan.isTight()) {
             send.accept(vehicle, StreamStop.of(vehicle)); // what it sends by itself
         }
+        PendingCommands commands = of(vehicle).commands();
+        commands.withdrawUnsent(VehicleCommand.SEND_EVERY);
         plan.messages()
-                .forEach(message -> of(vehicle)
-                        .commands()
-                        .give(
-                                VehicleCommand.sendEvery(message.number(), message.everyS()),
-                                nowMs.getAsLong(),
-                                percent -> {},
-                                outcome -> {}));
+                .forEach(message -> commands.give(
+                        VehicleCommand.sendEvery(message.number(), message.everyS()),
+                        nowMs.getAsLong(),
+                        percent -> {},
+                        outcome -> {}));
     }
 
     /**

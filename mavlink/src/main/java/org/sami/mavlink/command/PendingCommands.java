@@ -58,6 +58,17 @@ public final class PendingCommands {
         replaced.forEach(PendingCommands::report);
     }
 
+    /** Ends those of a number that wait to be sent: others take their place. One that was sent already goes on. */
+    public void withdrawUnsent(int number) {
+        Deque<Waiting> waiting = byNumber.getOrDefault(number, new ArrayDeque<>());
+        List<Waiting> withdrawn = waiting.stream().skip(1).toList();
+        waiting.removeAll(withdrawn);
+        withdrawn.forEach(each -> {
+            each.exchange().replace();
+            report(each);
+        });
+    }
+
     private static void report(Waiting over) {
         over.outcome().accept(over.exchange().outcome());
     }

@@ -15,13 +15,15 @@ import java.util.Optional;
  */
 public record VehicleCommand(
         int number, String does, List<Double> params, Optional<CommandPlace> place, boolean newestWins) {
+    /** The number of {@link #sendEvery}. */
+    public static final int SEND_EVERY = 511;
+
     private static final int PARAMS = 7;
     private static final int SET_MODE = 176;
     private static final int REPOSITION = 192;
     private static final int CHANGE_SPEED = 178;
     private static final int SET_CURRENT = 224;
     private static final int ARM_DISARM = 400;
-    private static final int MESSAGE_INTERVAL = 511;
     private static final int REBOOT = 246;
     private static final int TAKE_PICTURES = 2_000;
     private static final int TRIGGER_CAMERA = 203;
@@ -111,7 +113,7 @@ public record VehicleCommand(
     /** Asks for a message every so many seconds; 0 for the vehicle's own default, a negative number for never. */
     public static VehicleCommand sendEvery(int message, double seconds) {
         double us = seconds < 0 ? -1 : seconds * US;
-        return made(MESSAGE_INTERVAL, "send message " + message, false, message, us);
+        return made(SEND_EVERY, "send message " + message, false, message, us);
     }
 
     /**

@@ -125,6 +125,20 @@ class PendingCommandsTest {
     }
 
     @Test
+    void commandsThatAreWithdrawnAreNotSentButTheOneThatWasIsAnswered() {
+        give(VehicleCommand.sendEvery(33, 0.5), 0);
+        give(VehicleCommand.sendEvery(24, 2), 0);
+
+        commands.withdrawUnsent(VehicleCommand.SEND_EVERY);
+        give(VehicleCommand.sendEvery(30, 1), 10);
+        assertThat(ended).extracting(CommandOutcome::verdict).containsExactly(CommandVerdict.REPLACED);
+        answer(MavCmd.MAV_CMD_SET_MESSAGE_INTERVAL, MavResult.MAV_RESULT_ACCEPTED, 20);
+
+        assertThat(sent).extracting(message -> ((CommandLong) message).param1()).containsExactly(33f, 30f);
+        assertThat(ended.get(1).isAccepted()).isTrue();
+    }
+
+    @Test
     void laterModeTakesThePlaceOfAnEarlierOneWhoseAnswerIsNotCounted() {
         give(VehicleCommand.setMode(10, "AUTO"), 0);
         give(VehicleCommand.setMode(4, "HOLD"), 50);
