@@ -165,13 +165,22 @@ final class LeaseTable {
      * @return who held it; empty where nobody did
      */
     static Optional<Holder> takeAway(Connection connection, String by) throws SQLException {
+        return takeAway(connection, by, "true");
+    }
+
+    /** The same, only from a base that took it in the other database of a pair: one that has gone on here keeps it. */
+    static Optional<Holder> takeFromOtherDatabase(Connection connection, String by) throws SQLException {
+        return takeAway(connection, by, "epoch < " + FIRST_EPOCH);
+    }
+
+    private static Optional<Holder> takeAway(Connection connection, String by, String condition) throws SQLException {
         Optional<Holder> holder = holder(connection);
         if (holder.isEmpty() || holder.get().isGivenBack()) {
             return Optional.empty();
         }
         try (PreparedStatement update = connection.prepareStatement(ALONE
                 + "WITH taken AS (UPDATE lease SET epoch = epoch + 1, holder = ?, taken = clock_timestamp(), ends = '"
-                + GIVEN_BACK + "' WHERE epoch = ? RETURNING epoch, holder, taken)"
+                + GIVEN_BACK + "' WHERE epoch = ? AND " + condition + " RETURNING epoch, holder, taken)"
                 + " INSERT INTO holders SELECT epoch, holder, taken FROM taken RETURNING epoch")) {
             update.setString(1, by);
             update.setLong(2, holder.get().epoch());

@@ -18,12 +18,26 @@ public final class TakeOver {
      * @throws SQLException if the database is not reached, or does not allow it
      */
     public static Optional<String> takeAway(PostgresAddress address) throws SQLException {
+        return taken(address, LeaseTable::takeAway);
+    }
+
+    /** The same in a database of a pair that was a replica: a base that has gone on there since keeps the session. */
+    public static Optional<String> takeFromOtherDatabase(PostgresAddress address) throws SQLException {
+        return taken(address, LeaseTable::takeFromOtherDatabase);
+    }
+
+    private static Optional<String> taken(PostgresAddress address, Taking taking) throws SQLException {
         try (Connection connection = Connections.toRenew(address, ANSWER_SECONDS)) {
             return Migrations.isThere(connection, address)
-                    ? LeaseTable.takeAway(connection, "crw take-over of " + ProcessName.ofThisProcess())
+                    ? taking.take(connection, "crw take-over of " + ProcessName.ofThisProcess())
                             .map(LeaseTable.Holder::words)
                     : Optional.empty();
         }
+    }
+
+    @FunctionalInterface
+    private interface Taking {
+        Optional<LeaseTable.Holder> take(Connection connection, String by) throws SQLException;
     }
 
     /**

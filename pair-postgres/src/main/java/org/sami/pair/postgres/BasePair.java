@@ -65,10 +65,11 @@ public final class BasePair {
     /**
      * What this base does in the pair at present.
      *
+     * @param name of the session
      * @throws SilentBaseException if the other base does not answer, and may have gone on with the session
      * @throws PairException if this base must not hold a session, as the other went on with it
      */
-    public Part checkedPart() throws PairException {
+    public Part checkedPart(String name) throws PairException {
         if (part() == Part.REPLICA) {
             return Part.REPLICA;
         }
@@ -83,6 +84,11 @@ public final class BasePair {
             if (waits && settings.whenCut() == WhenCut.TAKE_OVER) {
                 throw new SilentBaseException(settings.other() + " does not answer (" + DatabaseFaults.words(silent)
                         + ") and may have gone on with the session");
+            }
+            if (isLeft(name)) {
+                throw new PairException(settings.other() + " does not answer (" + DatabaseFaults.words(silent)
+                        + ") and may go on with the session, as the database of this base no longer follows it: both"
+                        + " would command. If it is off: crw take-over --confirm");
             }
         }
         return Part.DATABASE;
@@ -192,7 +198,7 @@ public final class BasePair {
         if (part() == Part.DATABASE) {
             checkLeft(name);
             return Optional.of("The database of this base no longer follows that of " + settings.other()
-                    + "; what the other wrote alone after that is lost");
+                    + ": if the other goes on with the session, both command; what it wrote alone after that is lost");
         }
         try (Connection other = connections.other()) {
             if (!Replication.isReplica(other)) {
@@ -246,15 +252,19 @@ public final class BasePair {
             if (Replication.isReplica(patient)) {
                 Replication.promote(patient, PROMOTION_SECONDS);
             }
-            return TakeOver.takeAway(connections.journal(name));
+            return TakeOver.takeFromOtherDatabase(connections.journal(name));
         } catch (SQLException fault) {
             throw new PairException("the database of this base: " + DatabaseFaults.words(fault), fault);
         }
     }
 
-    /** Where this base's replica was promoted by other means than this program, nobody may have gone on with the session since. */
+    /** Whether this base's replica was promoted by other means than this program, and nobody has gone on with the session here since. */
+    private boolean isLeft(String name) throws PairException {
+        return this.<Boolean>own(connection -> TakeOver.isLeftByOtherDatabase(connections.journal(name)));
+    }
+
     private void checkLeft(String name) throws PairException {
-        if (!this.<Boolean>own(connection -> TakeOver.isLeftByOtherDatabase(connections.journal(name)))) {
+        if (!isLeft(name)) {
             throw new PairException("this base has the session's database: nothing is to be taken over here");
         }
     }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.journal.postgres.Connections;
+import org.sami.journal.postgres.TakeOver;
 import org.sami.pair.postgres.Protection.State;
 import org.sami.spn.host.Durability;
 import org.sami.spn.journal.StoredJournal;
@@ -104,7 +105,40 @@ class PairFaultTest {
                 assertThatThrownBy(() -> journal.append(List.of(PairSessions.entry(2)), Durability.POWER))
                         .isInstanceOf(IOException.class);
                 assertThat(epoch(bases.second)).isGreaterThan(1_000_000 + epoch(bases.first) - 1);
+
+                BasePair second = BasePair.open(bases.second);
+                assertThatThrownBy(() -> second.takeOver("sami", true))
+                        .hasMessageContaining("nothing is to be taken over");
+                assertThat(TakeOver.takeFromOtherDatabase(second.journal("sami")))
+                        .isEmpty();
+                PairSessions.write(taken, 3);
             }
+        }
+    }
+
+    @Test
+    void aReplicaThatWasPromotedWhileTheOtherIsSilentHasTheSessionOnlyAtTheWordOfAPerson() throws Exception {
+        try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER);
+                PairSessions sessions = new PairSessions(bases);
+                StandbyMonitor monitor = sessions.monitor()) {
+            sessions.await(State.COPIED);
+            StoredJournal journal = sessions.create("sami");
+            PairSessions.write(journal, 1);
+            try (Connection own = new PairConnections(bases.second, bases.second.settings()).own(30)) {
+                Connections.run(own, "SELECT pg_promote(true, 30)");
+            }
+            PairDatabase.of(bases.first).stop();
+            BasePair second = BasePair.open(bases.second);
+
+            assertThatThrownBy(() -> second.checkedPart("sami"))
+                    .isInstanceOf(PairException.class)
+                    .hasMessageContaining("both would command. If it is off: crw take-over --confirm");
+            assertThat(second.lossOfTakeOver("sami").orElseThrow())
+                    .contains("both command")
+                    .endsWith("is lost");
+            assertThat(second.takeOver("sami", true)).isPresent();
+
+            assertThat(second.checkedPart("sami")).isEqualTo(BasePair.Part.DATABASE);
         }
     }
 

@@ -50,8 +50,8 @@ class PairTest {
         try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER)) {
             BasePair first = BasePair.open(bases.first);
             BasePair second = BasePair.open(bases.second);
-            assertThat(first.checkedPart()).isEqualTo(BasePair.Part.DATABASE);
-            assertThat(second.checkedPart()).isEqualTo(BasePair.Part.REPLICA);
+            assertThat(first.checkedPart("sami")).isEqualTo(BasePair.Part.DATABASE);
+            assertThat(second.checkedPart("sami")).isEqualTo(BasePair.Part.REPLICA);
             StandbyMonitor monitor = first.monitor(Clock.systemUTC(), this::add);
             awaitLine("copied");
             StoredJournal journal = create(first);
@@ -68,18 +68,18 @@ class PairTest {
                 assertThat(gone.lastIndex()).isEqualTo(2);
                 gone.append(List.of(entry(3)), Durability.POWER);
             }
-            assertThat(second.checkedPart()).isEqualTo(BasePair.Part.DATABASE);
+            assertThat(second.checkedPart("sami")).isEqualTo(BasePair.Part.DATABASE);
             assertThatThrownBy(() -> journal.append(List.of(entry(3)), Durability.POWER))
                     .isInstanceOf(IOException.class);
 
             PairDatabase.of(bases.first).start();
-            assertThatThrownBy(first::checkedPart)
+            assertThatThrownBy(() -> first.checkedPart("sami"))
                     .isInstanceOf(PairException.class)
                     .hasMessageContaining(bases.secondAddress + " took the session over")
                     .hasMessageContaining("crw pair rejoin");
             Path kept = PairSetup.copyAgain(bases.first, "replaced");
             assertThat(kept).isDirectory();
-            assertThat(first.checkedPart()).isEqualTo(BasePair.Part.REPLICA);
+            assertThat(first.checkedPart("sami")).isEqualTo(BasePair.Part.REPLICA);
             try (StandbyMonitor ofSecond = second.monitor(Clock.systemUTC(), this::add)) {
                 awaitLine("copied: " + bases.firstAddress);
             }
@@ -141,7 +141,7 @@ class PairTest {
 
             database.start();
 
-            assertThat(BasePair.open(bases.first).checkedPart()).isEqualTo(BasePair.Part.DATABASE);
+            assertThat(BasePair.open(bases.first).checkedPart("sami")).isEqualTo(BasePair.Part.DATABASE);
         }
     }
 

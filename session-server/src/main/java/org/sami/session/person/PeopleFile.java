@@ -19,6 +19,7 @@ import org.sami.boat.link.security.OwnerOnlyFile;
  * killed process leaves the old or the new one.
  */
 public final class PeopleFile implements People {
+    private static final System.Logger LOG = System.getLogger(PeopleFile.class.getName());
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final int VERSION = 1;
 
@@ -150,9 +151,17 @@ public final class PeopleFile implements People {
                 .findFirst();
     }
 
+    /** The person as before while the list cannot be read: nobody is sent away by a damaged file. */
     @Override
     public Optional<Person> present(Person earlier) {
-        return readable().stream()
+        List<Person> now;
+        try {
+            now = all();
+        } catch (IOException damaged) {
+            LOG.log(System.Logger.Level.WARNING, "who takes part stays as it was: {0}", damaged.getMessage());
+            return Optional.of(earlier);
+        }
+        return now.stream()
                 .filter(one ->
                         one.name().equals(earlier.name()) && one.keyHash().equals(earlier.keyHash()))
                 .findFirst();

@@ -74,10 +74,11 @@ final class FrontCommands {
                 long mission = running(message.number("mission"));
                 yield news.noted(person, "sent again what failed in mission " + mission, session.sendAgain(mission));
             }
-            case "claim", "drive", "goTo", "goHome", "holdBoat", "giveBack" -> {
+            case "claim", "drive", "goTo", "goHome", "holdBoat" -> {
                 Rights.require(person, Right.DRIVE);
                 yield hand.carryOut(front, person, message);
             }
+            case "giveBack" -> hand.carryOut(front, person, message);
             case "acknowledge" -> acknowledge(person, message);
             case "note" -> note(person, message);
             case "linkedBoats" -> {

@@ -55,13 +55,19 @@ final class FrontLogins {
             front.malformed(0, wrong);
             return;
         }
+        Optional<String> refusal = people.needKeys() ? failedLogins.refusal(front.address()) : Optional.empty();
+        if (refusal.isPresent()) {
+            refuseLogin(front, refusal.get());
+            return;
+        }
         Optional<Person> person = people.login(name, key);
         if (person.isPresent()) {
             welcome(front, person.get());
         } else if (!people.needKeys()) {
             refuseLogin(front, "a name has 1 to 40 letters, digits, '-', '_' or '.'");
         } else {
-            refuseLogin(front, failedLogins.refusal(front.address()));
+            failedLogins.note(front.address());
+            refuseLogin(front, "no such name and key");
         }
     }
 

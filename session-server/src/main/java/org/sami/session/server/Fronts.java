@@ -17,6 +17,7 @@ import org.sami.crw.session.Session;
 import org.sami.session.api.RefusedException;
 import org.sami.session.person.People;
 import org.sami.session.person.Person;
+import org.sami.session.person.Right;
 import org.sami.session.rows.SessionRows;
 import org.sami.session.rows.Table;
 
@@ -171,7 +172,7 @@ final class Fronts implements AutoCloseable {
             FrontLogins.bye(front);
             return;
         }
-        FrontLogins.listed(front, earlier, person.get());
+        listed(front, earlier, person.get());
         try {
             CompletionStage<CommandReply> carriedOut = message.type().equals("follow")
                     ? following.follow(front, message)
@@ -187,6 +188,14 @@ final class Fronts implements AutoCloseable {
             front.refuse(message.id(), RefusedException.reason(refused));
         } catch (MalformedMessageException wrong) {
             front.malformed(message.id(), wrong);
+        }
+    }
+
+    /** Who may drive no longer gives back the boats that were driven. */
+    private void listed(Front front, Person earlier, Person now) {
+        FrontLogins.listed(front, earlier, now);
+        if (earlier.may(Right.DRIVE) && !now.may(Right.DRIVE)) {
+            hand.left(front);
         }
     }
 
@@ -231,7 +240,7 @@ final class Fronts implements AutoCloseable {
         Optional<Person> person = front.person();
         if (person.isPresent()) {
             Optional<Person> present = people.present(person.get());
-            present.ifPresentOrElse(now -> FrontLogins.listed(front, person.get(), now), () -> FrontLogins.bye(front));
+            present.ifPresentOrElse(now -> listed(front, person.get(), now), () -> FrontLogins.bye(front));
         } else if (front.silentMillis() > HELLO_MS) {
             front.end(StatusCode.POLICY_VIOLATION, "no hello");
         }

@@ -32,6 +32,11 @@ final class MessageAllowance {
         return true;
     }
 
+    /** Whether one more event is allowed now; it does not count. */
+    synchronized boolean hasLeft() {
+        return left + (nanos.getAsLong() - atNanos) / NANOS * perSecond >= 1;
+    }
+
     /** Whether nothing has happened for so long that it is as new. */
     synchronized boolean isFull() {
         return left + (nanos.getAsLong() - atNanos) / NANOS * perSecond >= most;

@@ -94,4 +94,16 @@ class PeopleFileTest {
         assertThatThrownBy(() -> people.change("carl", PersonRole.PILOT, List.of()))
                 .hasMessageContaining("nobody here is named 'carl'");
     }
+
+    @Test
+    void damagedListSendsNobodyAwayAndLetsNobodyIn() throws Exception {
+        PeopleFile people = new PeopleFile(folder.resolve("people"));
+        people.add(new Person("anna", PersonRole.PILOT, List.of(), PersonKey.hash("key of anna")));
+        Person anna = people.login("anna", "key of anna").orElseThrow();
+
+        Files.writeString(people.file(), "{ damaged");
+
+        assertThat(people.present(anna)).contains(anna);
+        assertThat(people.login("anna", "key of anna")).isEmpty();
+    }
 }

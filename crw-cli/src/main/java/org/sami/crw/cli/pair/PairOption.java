@@ -42,7 +42,7 @@ public final class PairOption {
         while (true) {
             BasePair pair = BasePair.open(folder.folder()); // anew, as it may have been told another address meanwhile
             try {
-                return Optional.of(PairedBase.of(pair, pair.checkedPart(), name));
+                return Optional.of(PairedBase.of(pair, pair.checkedPart(name), name));
             } catch (SilentBaseException silent) {
                 if (!said) {
                     lines.accept(silent.getMessage() + ": this base waits until it answers. If it has not, and is off:"
