@@ -22,17 +22,20 @@ public final class SaturatedQueries {
     private final WiderNet wider;
     private final SaturatedNet saturated;
     private final ReachabilityGraph graph;
+    private final long bytes;
 
     /**
      * Answers from a graph.
      *
      * @param wider the net that is saturated
      * @param graph complete, with the edges of firings that are sure in both
+     * @param bytes how much memory the graph and a search for ways back through it may take; where it does not suffice, nothing is said of such ways
      */
-    public SaturatedQueries(WiderNet wider, SaturatedNet saturated, ReachabilityGraph graph) {
+    public SaturatedQueries(WiderNet wider, SaturatedNet saturated, ReachabilityGraph graph, long bytes) {
         this.wider = wider;
         this.saturated = saturated;
         this.graph = graph;
+        this.bytes = bytes;
     }
 
     /** What was searched. */
@@ -59,6 +62,7 @@ public final class SaturatedQueries {
                             : Optional.of(answer(NetVerdict.NO, "a deadlock is never reached"));
         } else if (query instanceof NetQuery.Home home) {
             return speaks(home.condition())
+                            || !HomeStates.fits(graph, bytes)
                             || HomeStates.of(graph, home.condition())
                                     .firstWithout()
                                     .isPresent()

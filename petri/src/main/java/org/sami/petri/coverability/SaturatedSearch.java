@@ -84,7 +84,7 @@ public final class SaturatedSearch {
             graph = ReachabilitySearch.explore(
                     saturated.net(), like.isEmpty() ? settings : settings.withSymmetry(like), watch, nanos);
             if (graph.isComplete()) {
-                return Optional.of(new SaturatedQueries(wider, saturated, graph));
+                return Optional.of(new SaturatedQueries(wider, saturated, graph, budget.bytes()));
             }
         }
         return Optional.empty();

@@ -8,6 +8,9 @@ import java.util.OptionalInt;
  * that grows with both.
  */
 public final class HomeStates {
+    /** The longest array has about so many elements. */
+    private static final int MOST_EDGES = Integer.MAX_VALUE - 8;
+
     private final BitSet canReach;
     private final int states;
 
@@ -17,8 +20,14 @@ public final class HomeStates {
     }
 
     /** How many bytes the search takes. */
-    public static long bytes(ReachabilityGraph graph) {
+    private static long bytes(ReachabilityGraph graph) {
         return Integer.BYTES * (graph.edges() + 3L * graph.states());
+    }
+
+    /** Whether the search fits into so many bytes together with the graph, and an array holds the edges. */
+    public static boolean fits(ReachabilityGraph graph, long bytes) {
+        return graph.bytes() + bytes(graph) <= bytes
+                && graph.keptEdges().map(StateEdges::size).orElse(0L) <= MOST_EDGES;
     }
 
     /**
@@ -30,7 +39,7 @@ public final class HomeStates {
     public static HomeStates of(ReachabilityGraph graph, MarkingTest condition) {
         StateEdges edges =
                 graph.keptEdges().orElseThrow(() -> new IllegalArgumentException("the search kept no edges"));
-        if (!graph.isComplete() || edges.size() > Integer.MAX_VALUE - 8) {
+        if (!graph.isComplete() || edges.size() > MOST_EDGES) {
             throw new IllegalArgumentException("the graph is not complete, or has too many edges: " + edges.size());
         }
         int states = graph.states();

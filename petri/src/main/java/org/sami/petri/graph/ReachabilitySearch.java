@@ -26,6 +26,9 @@ public final class ReachabilitySearch {
     /** As many places of a marking that is loaded are one. */
     private static final int PLACES = 16;
 
+    /** As many relations of transitions that are visited are one. */
+    private static final int RELATIONS = 16;
+
     private final PetriNet net;
     private final SearchSettings settings;
     private final GraphWatch watch;
@@ -112,7 +115,7 @@ public final class ReachabilitySearch {
                 looked++;
             }
         }
-        if (end != null && end.isBounded()) {
+        if (end != null && end.isBounded() && end != SearchEnd.CANCELLED) {
             lookAtWaiting(start + most + most / PART_FOR_WAITING);
         }
         if (symmetry != null) {
@@ -157,6 +160,7 @@ public final class ReachabilitySearch {
             noteDeadlock(number);
         } else if (stubborn != null) {
             count = stubborn.choose(marking, enabled, count);
+            work += stubborn.visited() / RELATIONS;
         }
         if (symmetry != null) {
             count = symmetry.withoutAlike(marking, enabled, count);
@@ -199,7 +203,7 @@ public final class ReachabilitySearch {
     }
 
     /**
-     * What is known of states that were found and not followed any more counts for bounds, goals and deadlocks.
+     * What is known of states that were found and not followed any more counts for bounds, goals and deadlocks. Ends early where the watch stops the search.
      *
      * @param until when to stop, in ns, where there are too many of them
      */
@@ -208,7 +212,7 @@ public final class ReachabilitySearch {
             work += 1 + net.transitionCount() / PLACES;
             if (work >= CHECK_EVERY) {
                 work = 0;
-                if (nanos.getAsLong() - until >= 0) {
+                if (watch.isCancelled() || nanos.getAsLong() - until >= 0) {
                     return;
                 }
             }

@@ -13,11 +13,15 @@ final class StubbornSets {
     /** So many of the enabled transitions are tried as the first one of a set. */
     private static final int SEEDS = 12;
 
+    /** After so many relations the choice for a state ends, so that the search looks at its clock and its watch in time. */
+    static final int MOST_VISITED = 1_000_000;
+
     private final PetriNet net;
     private final TransitionRelations relations;
     private final boolean[] enabled;
     private final int[] mark;
     private int stamp;
+    private long visited;
     private final int[] open;
     private final int[] inSet;
     private final int[] best;
@@ -34,13 +38,15 @@ final class StubbornSets {
     }
 
     /**
-     * Keeps the enabled transitions of a stubborn set.
+     * Keeps the enabled transitions of a stubborn set. Where that takes too many relations it keeps those of the smallest set that was closed by then, or, with none,
+     * all of them, which are a stubborn set too.
      *
      * @param list the enabled transitions; those of the set stand at its beginning afterwards
      * @param count how many there are, 1 or more
      * @return how many are in the set, 1 or more
      */
     int choose(int[] marking, int[] list, int count) {
+        visited = 0;
         if (count == 1) {
             return 1;
         }
@@ -48,7 +54,7 @@ final class StubbornSets {
             enabled[list[i]] = true;
         }
         int least = Integer.MAX_VALUE;
-        for (int seed = 0; seed < Math.min(SEEDS, count) && least > 1; seed++) {
+        for (int seed = 0; seed < Math.min(SEEDS, count) && least > 1 && visited <= MOST_VISITED; seed++) {
             int size = close(list[seed], marking, least);
             if (size < least) {
                 least = size;
@@ -58,11 +64,21 @@ final class StubbornSets {
         for (int i = 0; i < count; i++) {
             enabled[list[i]] = false;
         }
+        if (least == Integer.MAX_VALUE) {
+            return count;
+        }
         System.arraycopy(best, 0, list, 0, least);
         return least;
     }
 
-    /** Closes the set that begins with a transition; returns how many of it are enabled, or {@code limit} once there are so many. */
+    /** How many relations between transitions the last choice visited. */
+    long visited() {
+        return visited;
+    }
+
+    /**
+     * Closes the set that begins with a transition; returns how many of it are enabled, or {@code limit} once there are so many or too many relations were visited.
+     */
     private int close(int seed, int[] marking, int limit) {
         stamp++;
         int waiting = 0;
@@ -78,6 +94,10 @@ final class StubbornSets {
                 inSet[found++] = transition;
             }
             int[] needed = enabled[transition] ? relations.dependentOn(transition) : enablers(transition, marking);
+            visited += 1 + needed.length;
+            if (visited > MOST_VISITED) {
+                return limit;
+            }
             for (int other : needed) {
                 if (mark[other] != stamp) {
                     mark[other] = stamp;

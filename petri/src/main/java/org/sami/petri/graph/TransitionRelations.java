@@ -9,6 +9,9 @@ import org.sami.petri.net.PetriNet;
 
 /** Which transitions of a net can influence one another, found when they are asked for. For one thread. */
 final class TransitionRelations {
+    /** So many numbers of dependent transitions are kept; more are computed anew each time, as they grow with the square of the transitions. */
+    static final int MOST_KEPT = 1 << 23;
+
     private final PetriNet net;
     private final ArcTable consumers;
     private final ArcTable producers;
@@ -17,6 +20,7 @@ final class TransitionRelations {
     private final int[] @Nullable [] dependent;
     private final int[] @Nullable [] raising;
     private final int[] @Nullable [] lowering;
+    private int kept;
 
     TransitionRelations(PetriNet net) {
         this.net = net;
@@ -90,9 +94,17 @@ final class TransitionRelations {
             }
             set.clear(transition);
             known = set.stream().toArray();
-            dependent[transition] = known;
+            if (known.length <= MOST_KEPT - kept) {
+                kept += known.length;
+                dependent[transition] = known;
+            }
         }
         return known;
+    }
+
+    /** How many numbers of dependent transitions are kept. */
+    int kept() {
+        return kept;
     }
 
     private static List<Integer> places(ArcTable arcs, int transition) {

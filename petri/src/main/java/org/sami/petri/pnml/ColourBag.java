@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntUnaryOperator;
 
-/** A multiset of colours of one sort. Immutable. */
+/** A multiset of colours of one sort. Immutable. Its operations throw an {@link ArithmeticException} where a count exceeds a long. */
 record ColourBag(ColourSort sort, Map<Integer, Long> counts) {
     static ColourBag of(ColourSort sort, int colour) {
         return new ColourBag(sort, Map.of(colour, 1L));
@@ -22,13 +22,13 @@ record ColourBag(ColourSort sort, Map<Integer, Long> counts) {
     /** Its own colours and so many times those of another one; how many of a colour there are may be below 0. */
     ColourBag plus(ColourBag other, long times) {
         Map<Integer, Long> sums = new TreeMap<>(counts);
-        other.counts.forEach((colour, count) -> sums.merge(colour, times * count, Long::sum));
+        other.counts.forEach((colour, count) -> sums.merge(colour, Math.multiplyExact(times, count), Math::addExact));
         return new ColourBag(sort, sums);
     }
 
     ColourBag times(long factor) {
         Map<Integer, Long> products = new TreeMap<>();
-        counts.forEach((colour, count) -> products.put(colour, factor * count));
+        counts.forEach((colour, count) -> products.put(colour, Math.multiplyExact(factor, count)));
         return new ColourBag(sort, products);
     }
 
@@ -36,14 +36,14 @@ record ColourBag(ColourSort sort, Map<Integer, Long> counts) {
     ColourBag with(ColourBag other) {
         int size = (int) other.sort.size();
         Map<Integer, Long> products = new TreeMap<>();
-        counts.forEach((colour, count) ->
-                other.counts.forEach((last, many) -> products.merge(colour * size + last, count * many, Long::sum)));
+        counts.forEach((colour, count) -> other.counts.forEach(
+                (last, many) -> products.merge(colour * size + last, Math.multiplyExact(count, many), Math::addExact)));
         return new ColourBag(ColourSort.product(sort, other.sort), products);
     }
 
     ColourBag changed(IntUnaryOperator change) {
         Map<Integer, Long> images = new TreeMap<>();
-        counts.forEach((colour, count) -> images.merge(change.applyAsInt(colour), count, Long::sum));
+        counts.forEach((colour, count) -> images.merge(change.applyAsInt(colour), count, Math::addExact));
         return new ColourBag(sort, images);
     }
 }

@@ -39,8 +39,21 @@ final class ColourTerms {
         }
     }
 
-    /** The multiset that a term stands for. */
+    /** The multiset that a term stands for; a term whose counts exceed a long is refused with its line. */
     ColourBag bag(XmlTerm term, Map<String, Integer> values) throws RefusedPnmlException {
+        try {
+            return evaluated(term, values);
+        } catch (ArithmeticException tooMany) {
+            throw uncountable(term);
+        }
+    }
+
+    private static RefusedPnmlException uncountable(XmlTerm term) {
+        return new RefusedPnmlException(
+                "E-NUMBER", term.line(), term.name() + " has more tokens of a colour than can be counted");
+    }
+
+    private ColourBag evaluated(XmlTerm term, Map<String, Integer> values) throws RefusedPnmlException {
         return switch (term.name()) {
             case "variable" -> variable(term, values);
             case "useroperator" -> isOfColours ? declared.constantOfColours(term) : declared.constant(term);
@@ -162,7 +175,7 @@ final class ColourTerms {
                         || isTrue(term.arguments(2).get(1), values);
             case "booleanconstant" -> term.value().equals("true");
             case "variable" -> isTrueColour(term, values);
-            case "contains" -> contains(term.arguments(2), values);
+            case "contains" -> contains(term, values);
             default -> compare(term, values);
         };
     }
@@ -176,10 +189,15 @@ final class ColourTerms {
     }
 
     /** Whether the first multiset has all of the second one. */
-    private boolean contains(List<XmlTerm> parts, Map<String, Integer> values) throws RefusedPnmlException {
+    private boolean contains(XmlTerm term, Map<String, Integer> values) throws RefusedPnmlException {
+        List<XmlTerm> parts = term.arguments(2);
         ColourBag first = bag(parts.get(0), values);
         ColourBag second = fitting(first, bag(parts.get(1), values), parts.get(1));
-        return first.plus(second, -1).counts().values().stream().allMatch(count -> count >= 0);
+        try {
+            return first.plus(second, -1).counts().values().stream().allMatch(count -> count >= 0);
+        } catch (ArithmeticException tooMany) {
+            throw uncountable(term);
+        }
     }
 
     private boolean hasOne(XmlTerm term, Map<String, Integer> values, boolean truth) throws RefusedPnmlException {

@@ -22,6 +22,9 @@ final class PnmlParser {
 
     private static final String WEIGHT = "inscription";
 
+    private static final Set<String> NODE_ATTRIBUTES = Set.of("id");
+    private static final Set<String> ARC_ATTRIBUTES = Set.of("id", "source", "target", "type");
+
     /** Types of place/transition nets: of the standard, of its extensions, and of earlier tools. */
     private static final Pattern PT_NETS = Pattern.compile("P/T net|https?://www\\.pnml\\.org/version-2009/"
             + "(grammar/(ptnet|pnmlcoremodel)|extensions/(inhibitor|reset|resetinhibitor)ptnet)");
@@ -167,6 +170,7 @@ final class PnmlParser {
     private void node(String kind) throws XMLStreamException, RefusedPnmlException {
         int line = xml.line();
         String id = id(kind);
+        attributesBut(NODE_ATTRIBUTES, kind + " " + id);
         Content content = content(kind + " " + id, kind.equals("place") ? "initialMarking" : "", 0);
         String own = content.ownId.isEmpty() ? id : content.ownId;
         PnmlParts.Node node = new PnmlParts.Node(
@@ -185,9 +189,29 @@ final class PnmlParser {
         String id = xml.attribute("id");
         String source = xml.attribute("source");
         String target = xml.attribute("target");
-        Content content = content("arc " + id, WEIGHT, 1);
+        String element = "arc " + id;
+        attributesBut(ARC_ATTRIBUTES, element);
+        String type = xml.attribute("type");
+        if (!type.isEmpty() && !type.equalsIgnoreCase("normal")) {
+            findings.error(
+                    "E-ARC",
+                    line,
+                    element,
+                    "the attribute type='" + type + "' is not read: the element type says what an arc is");
+        }
+        Content content = content(element, WEIGHT, 1);
         parts.arcs.add(
                 new PnmlParts.Arc(id, source, target, content.number, content.kind, line, Map.copyOf(content.terms)));
+    }
+
+    /** Warns of each attribute of the current element that is not among the known ones, as it would change the net where it had a meaning. */
+    private void attributesBut(Set<String> known, String element) {
+        for (String name : xml.attributes()) {
+            if (!known.contains(name)) {
+                findings.warning(
+                        "W-ATTRIBUTE", xml.line(), element, "the attribute " + name + " is not known, and left out");
+            }
+        }
     }
 
     private String id(String kind) throws RefusedPnmlException {
@@ -198,7 +222,7 @@ final class PnmlParser {
         return id;
     }
 
-    /** Reads what stands in a node or an arc to its end. */
+    /** Reads what stands in a node or an arc to its end. In a symmetric net plain numbers have no meaning: its terms say how many tokens there are. */
     private Content content(String element, String numberLabel, int number)
             throws XMLStreamException, RefusedPnmlException {
         Content content = new Content();
@@ -207,7 +231,7 @@ final class PnmlParser {
             String name = xml.name();
             if (name.equals("name")) {
                 content.name = label(element);
-            } else if (name.equals(numberLabel)) {
+            } else if (!parts.isColoured && name.equals(numberLabel)) {
                 int line = xml.line();
                 content.number = number(label(element), number, line, element);
             } else if (parts.isColoured

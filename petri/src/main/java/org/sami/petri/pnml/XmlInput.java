@@ -3,6 +3,8 @@ package org.sami.petri.pnml;
 import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.List;
 import javax.xml.XMLConstants;
 import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
@@ -109,6 +111,18 @@ final class XmlInput {
                     "E-SIZE", line(), "the attribute " + name + " is longer than " + limits.text() + " characters");
         }
         return value == null ? "" : value.strip();
+    }
+
+    /** The names of the current element's attributes that have no prefix. Those with one belong to other vocabularies. */
+    List<String> attributes() {
+        List<String> names = new ArrayList<>();
+        for (int i = 0; i < xml.getAttributeCount(); i++) {
+            String prefix = xml.getAttributePrefix(i);
+            if (prefix == null || prefix.isEmpty()) {
+                names.add(xml.getAttributeLocalName(i));
+            }
+        }
+        return names;
     }
 
     int line() {

@@ -12,7 +12,10 @@ public record LinearComparison(List<Term> terms, Relation relation, long constan
         terms = List.copyOf(terms);
     }
 
-    /** A place and how often its tokens count; a factor is below 2^31 in size, so that no sum over a million places overflows. */
+    /**
+     * A place and how often its tokens count. A factor below 2^31 in size does not keep a sum within a long: the sum of three such terms can exceed it, and
+     * {@link QueryParser} refuses sums that could.
+     */
     public record Term(int place, int factor) {}
 
     /** How two numbers are compared. */

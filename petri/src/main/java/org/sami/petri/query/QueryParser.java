@@ -123,7 +123,7 @@ public final class QueryParser {
         QueryWords.Word first = words.peek();
         if (words.isSum()) {
             Sum sum = sum();
-            return new NetQuery.BoundOfSum(terms(sum, first.column()), sum.constant, words.since(first));
+            return new NetQuery.BoundOfSum(terms(sum, sum.constant, first.column()), sum.constant, words.since(first));
         }
         String name = name();
         List<Integer> places = places(name, first);
@@ -204,11 +204,14 @@ public final class QueryParser {
         }
         Sum right = sum();
         right.factors.forEach((place, factor) -> left.factors.merge(place, -factor, Long::sum));
-        return new LinearComparison(terms(left, column), relation, right.constant - left.constant);
+        long constant = right.constant - left.constant;
+        return new LinearComparison(terms(left, constant, column), relation, constant);
     }
 
-    private static List<Term> terms(Sum sum, int column) throws QueryFaultException {
+    /** The terms of a sum; refuses one that, with the constant, could exceed a long in some marking, as the comparison would then be wrong. */
+    private static List<Term> terms(Sum sum, long constant, int column) throws QueryFaultException {
         List<Term> terms = new ArrayList<>();
+        long factors = 0;
         for (Map.Entry<Integer, Long> entry : sum.factors.entrySet()) {
             long factor = entry.getValue();
             if (Math.abs(factor) > Integer.MAX_VALUE) {
@@ -216,7 +219,11 @@ public final class QueryParser {
             }
             if (factor != 0) {
                 terms.add(new Term(entry.getKey(), (int) factor));
+                factors += Math.abs(factor);
             }
+        }
+        if (factors > (Long.MAX_VALUE - Math.abs(constant)) / Integer.MAX_VALUE) {
+            throw new QueryFaultException(column, "the factors are too large: the sum could exceed " + Long.MAX_VALUE);
         }
         return terms;
     }

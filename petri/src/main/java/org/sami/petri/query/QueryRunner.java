@@ -189,7 +189,7 @@ public final class QueryRunner {
         if (!graph.isComplete()) {
             return unknown(graph, "not every run was followed to its end");
         }
-        if (graph.bytes() + HomeStates.bytes(graph) > budget.bytes()) {
+        if (!HomeStates.fits(graph, budget.bytes())) {
             return new QueryAnswer(
                     NetVerdict.UNKNOWN,
                     "the graph has " + graph.states()

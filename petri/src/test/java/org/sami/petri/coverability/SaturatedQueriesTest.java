@@ -225,7 +225,7 @@ class SaturatedQueriesTest {
         ReachabilityGraph graph = ReachabilitySearch.explore(
                 saturated.net(), SearchSettings.within(ENOUGH).withEdgesOf(saturated::isSure));
         return graph.isComplete()
-                ? Optional.of(new SaturatedQueries(WiderNet.exact(net), saturated, graph))
+                ? Optional.of(new SaturatedQueries(WiderNet.exact(net), saturated, graph, ENOUGH.bytes()))
                 : Optional.empty();
     }
 
@@ -283,5 +283,24 @@ class SaturatedQueriesTest {
             }
         }
         return net.build();
+    }
+
+    @Test
+    void wayHomeThatNeedsMoreMemoryThanTheBudgetIsLeftOpen() {
+        PetriNetBuilder builder = new PetriNetBuilder("ring");
+        builder.place("p", 1);
+        builder.place("q", 0);
+        builder.move("go", List.of("p"), List.of("q"));
+        builder.move("back", List.of("q"), List.of("p"));
+        PetriNet net = builder.build();
+        SaturatedNet saturated = SaturatedNet.of(net, new BitSet());
+        ReachabilityGraph graph = ReachabilitySearch.explore(
+                saturated.net(), SearchSettings.within(ENOUGH).withEdges());
+        NetQuery home = new NetQuery.Home(atLeast(0, 1));
+
+        assertThat(new SaturatedQueries(WiderNet.exact(net), saturated, graph, ENOUGH.bytes()).answer(home))
+                .isPresent();
+        assertThat(new SaturatedQueries(WiderNet.exact(net), saturated, graph, graph.bytes()).answer(home))
+                .isEmpty();
     }
 }

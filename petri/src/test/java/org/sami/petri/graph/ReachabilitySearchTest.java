@@ -401,4 +401,57 @@ class ReachabilitySearchTest {
                     .isEqualTo(graph.successors(state));
         }
     }
+
+    /** A net whose first states have 5,000 firings each, so that few are looked at and many wait. */
+    private static PetriNet manyWaiting() {
+        PetriNetBuilder builder = new PetriNetBuilder("wide");
+        int place = builder.place("p", 0);
+        for (int tokens = 1; tokens <= 5_000; tokens++) {
+            builder.produce(builder.transition("t" + tokens), place, tokens);
+        }
+        return builder.build();
+    }
+
+    /** Stops a search when it is asked for the second time. */
+    private static GraphWatch stopsAtTheSecondLook() {
+        AtomicInteger asked = new AtomicInteger();
+        return new GraphWatch() {
+            @Override
+            public void looked(int states, int waiting) {}
+
+            @Override
+            public boolean isCancelled() {
+                return asked.incrementAndGet() > 1;
+            }
+        };
+    }
+
+    @Test
+    void waitingStatesAreNotLookedAtOnceTheSearchIsStopped() {
+        AtomicInteger tested = new AtomicInteger();
+
+        ReachabilityGraph graph = ReachabilitySearch.explore(
+                manyWaiting(),
+                WHOLE.withGoal(marking -> tested.incrementAndGet() < 0),
+                stopsAtTheSecondLook(),
+                () -> 0);
+
+        assertThat(graph.end()).isEqualTo(SearchEnd.CANCELLED);
+        assertThat(graph.states()).isGreaterThan(5_000);
+        assertThat(tested.get()).isEqualTo(graph.looked());
+    }
+
+    @Test
+    void lookAtWaitingStatesEndsWhenTheSearchIsStopped() {
+        AtomicInteger tested = new AtomicInteger();
+
+        ReachabilityGraph graph = ReachabilitySearch.explore(
+                manyWaiting(),
+                SearchSettings.within(SearchBudget.ofStates(5_003)).withGoal(marking -> tested.incrementAndGet() < 0),
+                stopsAtTheSecondLook(),
+                () -> 0);
+
+        assertThat(graph.end()).isEqualTo(SearchEnd.STATES);
+        assertThat(tested.get()).isLessThan(200);
+    }
 }

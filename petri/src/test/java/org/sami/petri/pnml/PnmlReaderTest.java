@@ -262,4 +262,47 @@ class PnmlReaderTest {
                 .extracting(PnmlFinding::message)
                 .containsExactly("it leads to no place", "it leads to no place");
     }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+        <place id="p" initialMarking="5"/> | place p | initialMarking
+        <transition id="t" priority="2"/> | transition t | priority
+        <place id="p"/><transition id="t"/><arc id="a" source="p" target="t" weight="3"/> | arc a | weight
+        """)
+    void unknownAttributesAreNamedAndLeftOut(String content, String element, String attribute) {
+        PnmlReading reading = net(content);
+
+        assertThat(reading.net()).isPresent();
+        assertThat(reading.findings())
+                .containsExactly(new PnmlFinding(
+                        PnmlFinding.Severity.WARNING,
+                        "W-ATTRIBUTE",
+                        4,
+                        element,
+                        "the attribute " + attribute + " is not known, and left out"));
+    }
+
+    @Test
+    void arcWithAnAttributeTypeIsReadOnlyWhereItIsNormal() {
+        String nodes = "<place id='p'/><transition id='t'/>";
+
+        PnmlReading inhibitor = net(nodes + "<arc id='a' source='p' target='t' type='inhibitor' weight='3'/>");
+        PnmlReading normal = net(nodes + "<arc id='a' source='p' target='t' type='Normal'/>");
+
+        assertThat(inhibitor.net()).isEmpty();
+        assertThat(inhibitor.findings())
+                .extracting(PnmlFinding::code)
+                .containsExactlyInAnyOrder("W-ATTRIBUTE", "E-ARC");
+        assertThat(normal.net()).isPresent();
+        assertThat(normal.findings()).isEmpty();
+    }
+
+    @Test
+    void attributesWithAPrefixAndTheNamespacesAreIgnored() {
+        PnmlReading reading = net("<place xmlns:x='urn:x' xmlns='http://www.pnml.org/version-2009/grammar/pnml'"
+                + " id='p' x:weight='3' xml:lang='en'/>");
+
+        assertThat(reading.net()).isPresent();
+        assertThat(reading.findings()).isEmpty();
+    }
 }

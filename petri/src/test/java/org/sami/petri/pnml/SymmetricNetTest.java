@@ -317,4 +317,41 @@ class SymmetricNetTest {
 
         assertThat(net(read(text.toString())).consumed().weight(0, 0)).isEqualTo(2000);
     }
+
+    @Test
+    void plainNumbersOfASymmetricNetAreNamedAndLeftOut() {
+        String text = "<place id='p'><initialMarking><text>5</text></initialMarking></place>"
+                + "<transition id='t'/><arc id='a' source='p' target='t'><inscription><text>3</text></inscription></arc>";
+
+        PnmlReading reading = read(text);
+
+        assertThat(reading.net()).isPresent();
+        assertThat(reading.findings())
+                .extracting(finding -> finding.code() + " " + finding.element() + ": " + finding.message())
+                .containsExactly(
+                        "W-ELEMENT place p: the element initialMarking is not known, and left out",
+                        "W-ELEMENT arc a: the element inscription is not known, and left out");
+    }
+
+    private static String times(int number, String term) {
+        return two("numberof", "<numberconstant value='" + number + "'><positive/></numberconstant>", term);
+    }
+
+    @Test
+    void countsThatExceedALongAreRefused() {
+        String large = times(1 << 29, times(1 << 29, DOT));
+        String words = " has more tokens of a colour than can be counted";
+
+        assertError(place("p", "dot", times(1 << 29, large)), "E-NUMBER", "numberof" + words);
+        assertError(
+                place("p", "dot", "") + transition("t", "") + arc("t", "p", times(1 << 29, large)),
+                "E-NUMBER",
+                "numberof" + words);
+        String most = times(31, large);
+        assertError(place("p", "dot", two("add", most, most)), "E-NUMBER", "add" + words);
+        String less = two("subtract", "<empty><usersort declaration='dot'/></empty>", most);
+        assertError(place("p", "dot", two("subtract", less, most)), "E-NUMBER", "subtract" + words);
+        assertError(
+                place("p", "dot", "") + transition("t", two("contains", less, most)), "E-NUMBER", "contains" + words);
+    }
 }

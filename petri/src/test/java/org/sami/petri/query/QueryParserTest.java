@@ -77,4 +77,28 @@ class QueryParserTest {
 
         assertThat(fault.getMessage()).isEqualTo("this is nested deeper than 200");
     }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+        reachable 2147483647*m(p) + 2147483647*m(q.1) + 2147483647*m("At \\"home\\"") >= 1 | 11
+        reachable m(p) = 0 and 2147483647*m(p) + 2147483647*m(q.1) >= 5*m("At \\"home\\"") | 24
+        bound 2147483647*m(p) + 2147483647*m(q.1) - 5*m("At \\"home\\"") | 7
+        """)
+    void sumThatCouldExceedALongIsRefused(String text, int column) {
+        QueryFaultException fault = catchThrowableOfType(QueryFaultException.class, () -> QueryParser.query(net, text));
+
+        assertThat(fault).isNotNull();
+        assertThat(fault.getMessage()).isEqualTo("the factors are too large: the sum could exceed 9223372036854775807");
+        assertThat(fault.column()).isEqualTo(column);
+    }
+
+    @Test
+    void largestSumThatFitsALongIsReadAndRight() throws QueryFaultException {
+        String sum = "2147483647*m(p) + 2147483647*m(q.1) + 4*m(\"At \\\"home\\\"\")";
+        int[] marking = {Integer.MAX_VALUE, Integer.MAX_VALUE, Integer.MAX_VALUE};
+
+        assertThat(QueryParser.condition(net, sum + " >= 1").test(marking)).isTrue();
+        assertThat(((NetQuery.BoundOfSum) QueryParser.query(net, "bound " + sum)).of(marking))
+                .isEqualTo(4294967298L * Integer.MAX_VALUE);
+    }
 }

@@ -204,7 +204,8 @@ public final class PlanQueries {
             }
         }
         boolean happens = isThatItHappens(asked, found);
-        boolean isAProof = found.verdict() != NetVerdict.UNKNOWN && (happens || isWhole(found));
+        boolean isARun = happens && !(asked instanceof NetQuery.Home);
+        boolean isAProof = found.verdict() != NetVerdict.UNKNOWN && (isARun || isWhole(found));
         Optional<PlanWitness> witness = found.witness().map(run -> witnesses.of(run, query, asked));
         boolean isOfThePlan = isAProof && (isExact() || !isOnlyAllowed(asked, found, happens, witness));
         return new PlanQueryAnswer(
@@ -232,7 +233,10 @@ public final class PlanQueries {
                 : PlanQueryAnswer.Result.UNEXPECTED;
     }
 
-    /** Whether the answer is that something happens, which a run shows. */
+    /**
+     * Whether the answer is that something happens, to which a run leads. That there is no way home after a run is shown by a whole net only, as another may lack ways
+     * that the plan has.
+     */
     private static boolean isThatItHappens(NetQuery asked, QueryAnswer found) {
         boolean isYes = found.verdict() == NetVerdict.YES;
         return (asked instanceof NetQuery.Reachable || asked instanceof NetQuery.Deadlock)

@@ -187,4 +187,29 @@ class PlanQueriesTest {
         assertThat(queries.whole().gathering()).containsExactly("kept");
         assertThat(queries.whole().graph().isComplete()).isTrue();
     }
+
+    @Test
+    void wayHomeThatOnlyTheEngineHasIsNotDenied() throws PlanNetTooLargeException {
+        NetBuilder plan = new NetBuilder("p")
+                .start("s")
+                .places("a", "d")
+                .end("e")
+                .transition("t1")
+                .in("s", "t1", "generic >= 1")
+                .out("t1", "a", "take 1 generic", "add 5 generic")
+                .transition("t2")
+                .in("a", "t2", "generic >= 5")
+                .out("t2", "d", "take all generic")
+                .transition("t3")
+                .in("d", "t3", "generic >= 1")
+                .in("a", "t3", "generic = 0")
+                .out("t3", "e", "take all generic");
+
+        PlanQueryAnswer home = answer(net(plan, "A"), "home ended", PlanQuery.Expected.YES);
+
+        assertThat(home.verdict()).isEqualTo(NetVerdict.UNKNOWN);
+        assertThat(home.result()).isEqualTo(Result.OPEN);
+        assertThat(home.isFault()).isFalse();
+        assertThat(home.words()).contains("no proof, as more tokens gather in a place than the search follows");
+    }
 }
