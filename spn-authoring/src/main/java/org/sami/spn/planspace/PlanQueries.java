@@ -204,17 +204,18 @@ public final class PlanQueries {
             }
         }
         boolean happens = isThatItHappens(asked, found);
-        boolean isARun = happens && !(asked instanceof NetQuery.Home);
-        boolean isAProof = found.verdict() != NetVerdict.UNKNOWN && (isARun || isWhole(found));
+        boolean isWhole = isWhole(found);
+        boolean mayComeHome = happens && asked instanceof NetQuery.Home && !isWhole; // on a way that the net lacks
+        boolean isAProof = found.verdict() != NetVerdict.UNKNOWN && (happens || isWhole);
         Optional<PlanWitness> witness = found.witness().map(run -> witnesses.of(run, query, asked));
-        boolean isOfThePlan = isAProof && (isExact() || !isOnlyAllowed(asked, found, happens, witness));
+        boolean isOfThePlan = isAProof && !mayComeHome && (isExact() || !isOnlyAllowed(asked, found, happens, witness));
         return new PlanQueryAnswer(
                 query,
                 isOfThePlan ? result(query, found.verdict()) : PlanQueryAnswer.Result.OPEN,
                 isAProof ? found.verdict() : NetVerdict.UNKNOWN,
                 isOfThePlan && asked.isFault(found.verdict()),
                 found.verdict().name().toLowerCase(Locale.ROOT) + ": " + found.words()
-                        + (isAProof ? caution(asked, found, happens, witness) : notWhole(found)),
+                        + (isAProof && !mayComeHome ? caution(asked, found, happens, witness) : notWhole(found)),
                 witness,
                 List.of(),
                 found.graph().states(),
