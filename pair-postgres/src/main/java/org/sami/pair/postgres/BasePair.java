@@ -122,12 +122,15 @@ public final class BasePair {
                     .map(time -> "replica, the last it received at " + time)
                     .orElse("replica, which has received nothing yet");
         }
-        StandbyState look = Replication.standby(connection);
-        String standby = !look.isConnected()
+        String sessions = StandbySign.sessions(connection);
+        ReplicaState replica = Replication.replica(connection);
+        String standby = !replica.isConnected()
                 ? "no standby answers"
-                : look.isStreaming()
-                        ? "its standby follows, " + look.behindBytes() + " bytes behind"
-                                + (look.isWatched() ? "" : ", but no 'crw serve --pair' waits there")
+                : replica.isStreaming()
+                        ? "its standby follows, " + replica.behindBytes() + " bytes behind"
+                                + (sessions.isEmpty()
+                                        ? ", but no 'crw serve --pair' waits there"
+                                        : ", and waits for " + sessions)
                         : "its standby catches up";
         return "database of the session, " + (Replication.waitsForStandby(connection) ? "protected: " : "alone: ")
                 + standby;
@@ -144,7 +147,7 @@ public final class BasePair {
                     "this base is the standby: it goes on with the session by itself, or by 'crw take-over'");
         }
         own(connection -> {
-            StandbySign.write(connection, true); // it is waited for again once it says that it is there
+            StandbySign.writeEndOfAll(connection); // it is waited for again once it says that it is there
             Replication.setWaitsForStandby(connection, false);
             return true;
         });
@@ -173,19 +176,21 @@ public final class BasePair {
         }
     }
 
-    /** Says to the base that has the session that this one stands by for it, until it is closed. */
-    public StandbyPresence standBy() {
-        return new StandbyPresence(connections);
+    /** Says to the base that has a session that this one stands by for it, until it is closed. */
+    public StandbyPresence standBy(String session) {
+        return new StandbyPresence(connections, session);
     }
 
     /**
-     * Looks after the standby while this base holds the session.
+     * Looks after the standby while this base holds a session.
      *
+     * @param session its name
      * @param clock says since when, in the time zone of people
      * @param listener told what becomes of the protection, and since when, on the monitor's thread
      */
-    public StandbyMonitor monitor(Clock clock, BiConsumer<Protection, LocalTime> listener) throws PairException {
-        return StandbyMonitor.start(folder, clock, listener);
+    public StandbyMonitor monitor(String session, Clock clock, BiConsumer<Protection, LocalTime> listener)
+            throws PairException {
+        return StandbyMonitor.start(folder, session, clock, listener);
     }
 
     /**
@@ -232,7 +237,7 @@ public final class BasePair {
         }
         try (Connection other = connections.other()) {
             if (!Replication.isReplica(other)) {
-                if (!Replication.standby(other).isStreaming()) {
+                if (!Replication.replica(other).isStreaming()) {
                     throw new PairException("this base does not follow " + settings.other()
                             + " at present: nothing was taken over; if it cannot catch up: crw pair rejoin");
                 }

@@ -171,7 +171,7 @@ public final class PairMove {
     private static boolean isConnected(Connection own) throws SQLException {
         return Replication.isReplica(own)
                 ? Replication.isFollowing(own)
-                : Replication.standby(own).isConnected();
+                : Replication.replica(own).isConnected();
     }
 
     /** Listens at the present address, and has read who may connect; whether it was restarted for that. */

@@ -24,7 +24,11 @@ final class PairRule {
      */
     static Step next(WhenCut whenCut, boolean waits, StandbyState look) {
         if (!waits) {
-            return look.isConnected() && look.isStreaming() && look.behindBytes() <= NEAR_BYTES && !look.hasEnded()
+            ReplicaState replica = look.replica();
+            return replica.isConnected()
+                            && replica.isStreaming()
+                            && replica.behindBytes() <= NEAR_BYTES
+                            && !look.hasEnded()
                     ? Step.PROTECT
                     : Step.NONE;
         }

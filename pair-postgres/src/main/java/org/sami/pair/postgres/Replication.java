@@ -41,18 +41,23 @@ final class Replication {
         Connections.run(connection, "SELECT pg_reload_conf()");
     }
 
-    /** How its standby follows. */
-    static StandbyState standby(Connection connection) throws SQLException {
+    /** How its standby follows, and whether a base waits there to go on with a session. */
+    static StandbyState standby(Connection connection, String session) throws SQLException {
         boolean ended = StandbySign.hasEnded(connection);
-        boolean watched = StandbySign.isThere(connection);
+        boolean watched = StandbySign.isThere(connection, session);
+        return new StandbyState(replica(connection), watched, ended);
+    }
+
+    /** How its replica follows. */
+    static ReplicaState replica(Connection connection) throws SQLException {
         try (Statement statement = connection.createStatement();
                 ResultSet rows = statement.executeQuery(
                         "SELECT state = 'streaming', coalesce(pg_wal_lsn_diff(pg_current_wal_lsn(), replay_lsn), 0)"
                                 + " FROM pg_stat_replication WHERE application_name = '" + StandbySign.NAME + "'"
                                 + " ORDER BY backend_start DESC LIMIT 1")) {
             return rows.next()
-                    ? new StandbyState(true, rows.getBoolean(1), rows.getLong(2), watched, ended)
-                    : new StandbyState(false, false, 0, watched, ended);
+                    ? new ReplicaState(true, rows.getBoolean(1), rows.getLong(2))
+                    : new ReplicaState(false, false, 0);
         }
     }
 

@@ -23,6 +23,7 @@ public final class StandbyMonitor implements AutoCloseable {
     private static final long ASK_MILLIS = 2000;
 
     private final PairConnections connections;
+    private final String session;
     private final WhenCut whenCut;
     private final Clock clock;
     private final Path log;
@@ -34,8 +35,9 @@ public final class StandbyMonitor implements AutoCloseable {
     private long askedMillis;
     private boolean replaced;
 
-    private StandbyMonitor(PairFolder folder, Clock clock, BiConsumer<Protection, LocalTime> listener)
+    private StandbyMonitor(PairFolder folder, String session, Clock clock, BiConsumer<Protection, LocalTime> listener)
             throws PairException {
+        this.session = session;
         PairSettings settings = folder.settings();
         this.whenCut = settings.whenCut();
         this.connections = new PairConnections(folder, settings);
@@ -52,12 +54,14 @@ public final class StandbyMonitor implements AutoCloseable {
     /**
      * One that looks from now on.
      *
+     * @param session its name
      * @param clock says since when, for people
      * @param listener told what becomes of the protection, and since when, on the monitor's thread
      */
-    public static StandbyMonitor start(PairFolder folder, Clock clock, BiConsumer<Protection, LocalTime> listener)
+    public static StandbyMonitor start(
+            PairFolder folder, String session, Clock clock, BiConsumer<Protection, LocalTime> listener)
             throws PairException {
-        StandbyMonitor monitor = new StandbyMonitor(folder, clock, listener);
+        StandbyMonitor monitor = new StandbyMonitor(folder, session, clock, listener);
         monitor.looks = monitor.thread.scheduleWithFixedDelay(monitor::look, 0, LOOK_MILLIS, TimeUnit.MILLISECONDS);
         return monitor;
     }
@@ -89,7 +93,7 @@ public final class StandbyMonitor implements AutoCloseable {
             return; // for good
         }
         boolean waits = Replication.waitsForStandby(used);
-        StandbyState look = Replication.standby(used);
+        StandbyState look = Replication.standby(used, session);
         switch (PairRule.next(whenCut, waits, look)) {
             case PROTECT -> {
                 Replication.setWaitsForStandby(used, true);

@@ -7,16 +7,18 @@ import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 
-/** Reports to the base that holds the session that this base is its standby: again and again, since the holder may not be there yet, and at the end that it is none any longer. */
+/** Reports to the base that holds a session that this base is its standby: again and again, since the holder may not be there yet, and at the end that it is none any longer. */
 public final class StandbyPresence implements AutoCloseable {
     private static final long SAY_MILLIS = 2000;
 
     private final PairConnections connections;
+    private final String session;
     private final ScheduledExecutorService thread;
     private final Future<?> saying;
 
-    StandbyPresence(PairConnections connections) {
+    StandbyPresence(PairConnections connections, String session) {
         this.connections = connections;
+        this.session = session;
         thread = Executors.newSingleThreadScheduledExecutor(work -> {
             Thread made = new Thread(work, "presence of a standby");
             made.setDaemon(true);
@@ -34,7 +36,12 @@ public final class StandbyPresence implements AutoCloseable {
 
     private boolean say(boolean ended) {
         try (Connection other = connections.other()) {
-            StandbySign.write(other, ended);
+            StandbySign.completeTable(other);
+            if (ended) {
+                StandbySign.writeEnd(other, session);
+            } else {
+                StandbySign.writePresence(other, session);
+            }
             return true;
         } catch (SQLException silent) {
             return false; // whoever looks at the pair sees that the bases do not reach one another

@@ -1,12 +1,14 @@
 package org.sami.pair.postgres;
 
 /**
- * What a database says of its standby.
+ * What a database says of the standby of a session.
  *
- * @param isConnected whether it answers
- * @param isStreaming whether it gets entries as they come, not what it missed
- * @param behindBytes of the log that it has not applied
- * @param isWatched whether a base waits there to go on with the session, and not its database alone
- * @param hasEnded whether its base ended in order, and does not go on with the session
+ * @param replica how its database follows
+ * @param isWatched whether a base waits there to go on with this session, and its database is not there alone
+ * @param hasEnded whether the last base that waited there ended in order, and goes on with no session
  */
-record StandbyState(boolean isConnected, boolean isStreaming, long behindBytes, boolean isWatched, boolean hasEnded) {}
+record StandbyState(ReplicaState replica, boolean isWatched, boolean hasEnded) {
+    boolean isConnected() {
+        return replica.isConnected();
+    }
+}

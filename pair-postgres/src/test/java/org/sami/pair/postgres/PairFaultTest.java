@@ -73,7 +73,7 @@ class PairFaultTest {
                 PairSessions sessions = new PairSessions(bases);
                 StandbyMonitor monitor = sessions.monitor();
                 StoredJournal journal = sessions.create("sami")) {
-            StandbyPresence presence = BasePair.open(bases.second).standBy();
+            StandbyPresence presence = BasePair.open(bases.second).standBy("sami");
             sessions.await(State.PROTECTED);
 
             assertThat(presence.leave()).isTrue();

@@ -40,8 +40,8 @@ class PairMoveTest {
     @Test
     void aSessionGoesOnWhileItsStandbyMovesAndIsProtectedAtTheNewAddress() throws Exception {
         try (TwoBases bases = TwoBases.paired(root, WhenCut.ALONE);
-                StandbyMonitor monitor =
-                        BasePair.open(bases.first).monitor(Clock.systemUTC(), (now, since) -> lines.add(now.text()));
+                StandbyMonitor monitor = BasePair.open(bases.first)
+                        .monitor("sami", Clock.systemUTC(), (now, since) -> lines.add(now.text()));
                 StoredJournal journal = create(bases)) {
             await("copied: " + bases.secondAddress);
             write(journal, 1);
@@ -168,7 +168,7 @@ class PairMoveTest {
 
     private static void awaitConnected(PairFolder folder, boolean connected) throws Exception {
         try (Connection own = new PairConnections(folder, folder.settings()).own()) {
-            while (Replication.standby(own).isConnected() != connected) {
+            while (Replication.replica(own).isConnected() != connected) {
                 Thread.onSpinWait();
             }
         }
@@ -189,7 +189,7 @@ class PairMoveTest {
     }
 
     private StandbyMonitor monitor(TwoBases bases) throws IOException {
-        return BasePair.open(bases.first).monitor(Clock.systemUTC(), (now, since) -> lines.add(now.text()));
+        return BasePair.open(bases.first).monitor("sami", Clock.systemUTC(), (now, since) -> lines.add(now.text()));
     }
 
     private void await(String beginning) throws InterruptedException {

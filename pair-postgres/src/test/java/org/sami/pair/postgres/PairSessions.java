@@ -23,6 +23,7 @@ import org.sami.spn.protocol.Input;
 final class PairSessions implements AutoCloseable {
     private final TwoBases bases;
     private final BlockingQueue<State> states = new LinkedBlockingQueue<>();
+    private final BlockingQueue<State> ofOther = new LinkedBlockingQueue<>();
     private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
     private final ExecutorService thread = Executors.newSingleThreadExecutor();
 
@@ -30,13 +31,32 @@ final class PairSessions implements AutoCloseable {
         this.bases = bases;
     }
 
-    /** Has the first base look after its standby. */
+    /** Has the first base look after the standby of its session. */
     StandbyMonitor monitor() throws IOException {
-        return BasePair.open(bases.first).monitor(Clock.systemUTC(), (now, since) -> states.add(now.state()));
+        return BasePair.open(bases.first).monitor("sami", Clock.systemUTC(), (now, since) -> states.add(now.state()));
     }
 
-    /** Waits until the first base's sessions are protected so. */
+    /** Has the first base look after the standby of another session. */
+    StandbyMonitor monitorOfOther(String name) throws IOException {
+        return BasePair.open(bases.first).monitor(name, Clock.systemUTC(), (now, since) -> ofOther.add(now.state()));
+    }
+
+    /** Waits until the first base's session is protected so. */
     void await(State state) throws InterruptedException {
+        await(states, state);
+    }
+
+    /** Waits until the other session is protected so. */
+    void awaitOfOther(State state) throws InterruptedException {
+        await(ofOther, state);
+    }
+
+    /** What the other session was told since the last wait. */
+    List<State> toldOther() {
+        return List.copyOf(ofOther);
+    }
+
+    private static void await(BlockingQueue<State> states, State state) throws InterruptedException {
         State now = states.take();
         while (now != state) {
             now = states.take();

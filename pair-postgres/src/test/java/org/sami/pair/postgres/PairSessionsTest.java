@@ -42,10 +42,37 @@ class PairSessionsTest {
                 PairSessions sessions = new PairSessions(bases);
                 StandbyMonitor monitor = sessions.monitor()) {
             sessions.await(State.COPIED);
-            try (StandbyPresence presence = BasePair.open(bases.second).standBy()) {
+            try (StandbyPresence presence = BasePair.open(bases.second).standBy("sami")) {
                 sessions.await(State.PROTECTED);
             }
             sessions.await(State.COPIED); // it said no word of its end, as one that was killed
+        }
+    }
+
+    @Test
+    void theStandbyOfOneSessionProtectsNoOtherAndItsEndLeavesNoOtherAlone() throws Exception {
+        try (TwoBases bases = TwoBases.paired(root, WhenCut.TAKE_OVER);
+                PairSessions sessions = new PairSessions(bases);
+                StandbyMonitor monitor = sessions.monitor();
+                StandbyMonitor ofOther = sessions.monitorOfOther("o'ther \\ one")) {
+            sessions.await(State.COPIED);
+            sessions.awaitOfOther(State.COPIED);
+            BasePair second = BasePair.open(bases.second);
+
+            StandbyPresence presence = second.standBy("sami");
+            sessions.await(State.PROTECTED);
+            assertThat(sessions.toldOther()).isEmpty();
+            assertThat(BasePair.open(bases.first).standing()).contains("and waits for sami");
+
+            try (StandbyPresence other = second.standBy("o'ther \\ one")) {
+                sessions.awaitOfOther(State.PROTECTED);
+                assertThat(presence.leave()).isTrue();
+                sessions.await(State.COPIED);
+                assertThat(sessions.toldOther()).isEmpty();
+                assertThat(other.leave()).isTrue(); // the last of them
+            }
+            sessions.awaitOfOther(State.ALONE);
+            sessions.await(State.ALONE);
         }
     }
 }

@@ -52,7 +52,7 @@ class PairTest {
             BasePair second = BasePair.open(bases.second);
             assertThat(first.checkedPart("sami")).isEqualTo(BasePair.Part.DATABASE);
             assertThat(second.checkedPart("sami")).isEqualTo(BasePair.Part.REPLICA);
-            StandbyMonitor monitor = first.monitor(Clock.systemUTC(), this::add);
+            StandbyMonitor monitor = first.monitor("sami", Clock.systemUTC(), this::add);
             awaitLine("copied");
             StoredJournal journal = create(first);
             BlockingQueue<String> said = new LinkedBlockingQueue<>();
@@ -80,7 +80,7 @@ class PairTest {
             Path kept = PairSetup.copyAgain(bases.first, "replaced");
             assertThat(kept).isDirectory();
             assertThat(first.checkedPart("sami")).isEqualTo(BasePair.Part.REPLICA);
-            try (StandbyMonitor ofSecond = second.monitor(Clock.systemUTC(), this::add)) {
+            try (StandbyMonitor ofSecond = second.monitor("sami", Clock.systemUTC(), this::add)) {
                 awaitLine("copied: " + bases.firstAddress);
             }
         }

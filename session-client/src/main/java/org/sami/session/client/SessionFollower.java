@@ -126,6 +126,9 @@ final class SessionFollower implements LinkListener {
         copy().filter(known -> !known.id().isEmpty())
                 .ifPresent(known -> follow.put("session", known.id()).put("after", known.reached()));
         link.request(follow).whenComplete((done, fault) -> {
+            if (fault != null && !link.isLoggedIn()) {
+                return; // the connection was lost before the reply: the link connects again
+            }
             if (fault != null && copy().isEmpty()) {
                 failed(RefusedException.reason(fault));
             } else if (fault != null) {

@@ -220,6 +220,11 @@ final class SessionLink {
         }
     }
 
+    /** Whether the server has let this front in, on the connection that there is now. */
+    boolean isLoggedIn() {
+        return welcome;
+    }
+
     /** Connects again later, as this connection leads to nothing; does nothing where it is lost already. */
     void again(String why) {
         if (welcome) {

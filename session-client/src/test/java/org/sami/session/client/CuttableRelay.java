@@ -8,14 +8,18 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicReference;
 
-/** Stands between a front and a server on loopback, and cuts all connections when a test says so. */
+/** Stands between a front and a server on loopback, and cuts all connections when a test says so, or when the server has said something. */
 final class CuttableRelay implements Closeable {
     private final ServerSocket listening = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     private final InetSocketAddress server;
     private final List<Socket> sockets = new CopyOnWriteArrayList<>();
+    private final AtomicReference<Optional<String>> lastWords = new AtomicReference<>(Optional.empty());
 
     CuttableRelay(InetSocketAddress server) throws IOException {
         this.server = server;
@@ -47,7 +51,7 @@ final class CuttableRelay implements Closeable {
         }
     }
 
-    private static void pump(Socket from, Socket to) {
+    private void pump(Socket from, Socket to) {
         byte[] buffer = new byte[8192];
         try (from;
                 to;
@@ -56,10 +60,22 @@ final class CuttableRelay implements Closeable {
             for (int read = in.read(buffer); read >= 0; read = in.read(buffer)) {
                 out.write(buffer, 0, read);
                 out.flush();
+                String text = new String(buffer, 0, read, StandardCharsets.ISO_8859_1);
+                if (lastWords
+                        .getAndUpdate(words -> words.filter(one -> !text.contains(one)))
+                        .filter(text::contains)
+                        .isPresent()) {
+                    return;
+                }
             }
         } catch (IOException cut) {
             // both ends notice it
         }
+    }
+
+    /** Cuts the connection on which the server first says these words, right after them; later ones are relayed. */
+    void cutAfter(String words) {
+        lastWords.set(Optional.of(words));
     }
 
     /** Cuts all connections; new ones are relayed. */

@@ -211,6 +211,21 @@ class RemoteSessionTest {
     }
 
     @Test
+    void goesOnOpeningWhenTheServerIsLostWhileItOpens() throws Exception {
+        FrontNotices notices = new FrontNotices();
+        try (CuttableRelay relay = new CuttableRelay(new InetSocketAddress(
+                InetAddress.getLoopbackAddress(), server.listensAt().getPort()))) {
+            relay.cutAfter("\"welcome\"");
+
+            RemoteSession anna = open(relay.port(), "anna", "key of anna", notices);
+
+            assertThat(notices.next()).startsWith("connection lost (");
+            assertThat(anna.rights().role()).isEqualTo("operator");
+            get(anna.start(PLAN, PLAN, Map.of()));
+        }
+    }
+
+    @Test
     void observerIsRefusedInWordsAndMayStopTheFleet() throws Exception {
         RemoteSession otto = open("otto");
 

@@ -11,6 +11,9 @@ public interface People {
     /** The person as listed now; empty for one who was removed, or has another key by now. */
     Optional<Person> present(Person earlier);
 
+    /** Why the list cannot be read at present; empty where it can. */
+    Optional<String> fault();
+
     /** Whether logins need a key. */
     boolean needKeys();
 
@@ -29,6 +32,11 @@ public interface People {
             @Override
             public Optional<Person> present(Person earlier) {
                 return Optional.of(earlier);
+            }
+
+            @Override
+            public Optional<String> fault() {
+                return Optional.empty();
             }
 
             @Override

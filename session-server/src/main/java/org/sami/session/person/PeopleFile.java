@@ -19,7 +19,6 @@ import org.sami.boat.link.security.OwnerOnlyFile;
  * killed process leaves the old or the new one.
  */
 public final class PeopleFile implements People {
-    private static final System.Logger LOG = System.getLogger(PeopleFile.class.getName());
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final int VERSION = 1;
 
@@ -158,13 +157,22 @@ public final class PeopleFile implements People {
         try {
             now = all();
         } catch (IOException damaged) {
-            LOG.log(System.Logger.Level.WARNING, "who takes part stays as it was: {0}", damaged.getMessage());
             return Optional.of(earlier);
         }
         return now.stream()
                 .filter(one ->
                         one.name().equals(earlier.name()) && one.keyHash().equals(earlier.keyHash()))
                 .findFirst();
+    }
+
+    @Override
+    public Optional<String> fault() {
+        try {
+            all();
+            return Optional.empty();
+        } catch (IOException damaged) {
+            return Optional.of(String.valueOf(damaged.getMessage()));
+        }
     }
 
     @Override

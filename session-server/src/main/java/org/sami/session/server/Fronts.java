@@ -45,6 +45,7 @@ final class Fronts implements AutoCloseable {
     private final Following following;
     private final FrontCommands commands;
     private final PeopleNews news;
+    private final PeopleWatch peopleWatch;
     private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread one = new Thread(work, "session server");
         one.setDaemon(true);
@@ -61,6 +62,7 @@ final class Fronts implements AutoCloseable {
         this.nanos = nanos;
         logins = new FrontLogins(session, people, robots, tickets, nanos, this::execute);
         news = new PeopleNews(session, this::sendToAll);
+        peopleWatch = new PeopleWatch(people, session.models().health());
         rows = new SessionRows(session, this::execute);
         hand = new HandDriving(session, news);
         feed = new JournalFeed(session);
@@ -207,6 +209,7 @@ final class Fronts implements AutoCloseable {
         ticks++;
         if (ticks % TICKS_PER_SECOND == 0) {
             List.copyOf(open).forEach(this::lookAfter);
+            peopleWatch.look();
         }
         feed.takeUp();
         long now = session.scheduler().nowMs();

@@ -84,7 +84,7 @@ final class HandDriving {
         news.tell(person, "gave " + boat + " back");
     }
 
-    /** A connection ended, or its person was removed. */
+    /** A connection ended, or its person was removed or may drive no longer: the boats that it claimed are free. */
     void left(Front front) {
         claims.of(front).forEach(boat -> end(boat, front.name()));
     }

@@ -105,5 +105,6 @@ class PeopleFileTest {
 
         assertThat(people.present(anna)).contains(anna);
         assertThat(people.login("anna", "key of anna")).isEmpty();
+        assertThat(people.fault().orElseThrow()).contains(people.file() + " cannot be read: ");
     }
 }

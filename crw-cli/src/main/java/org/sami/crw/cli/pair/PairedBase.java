@@ -24,19 +24,27 @@ public final class PairedBase {
     private static final DateTimeFormatter SECONDS = DateTimeFormatter.ofPattern("HH:mm:ss");
 
     private final BasePair pair;
+    private final String name;
     private final JournalAddress journal;
     private final boolean standsBy;
 
-    private PairedBase(BasePair pair, JournalAddress journal, boolean standsBy) {
+    private PairedBase(BasePair pair, String name, JournalAddress journal, boolean standsBy) {
         this.pair = pair;
+        this.name = name;
         this.journal = journal;
         this.standsBy = standsBy;
     }
 
-    /** @param part what it does at present */
+    /**
+     * This base and one of its sessions.
+     *
+     * @param part what it does at present
+     * @param name of the session
+     */
     static PairedBase of(BasePair pair, BasePair.Part part, String name) throws IOException {
         boolean standsBy = part == BasePair.Part.REPLICA;
-        return new PairedBase(pair, JournalAddress.parse(pair.journal(name).text()), standsBy);
+        return new PairedBase(
+                pair, name, JournalAddress.parse(pair.journal(name).text()), standsBy);
     }
 
     /** Where the session's journal is. */
@@ -51,7 +59,7 @@ public final class PairedBase {
 
     /** Says to the other base that this one stands by, until it is closed. */
     public StandbyPresence standBy() {
-        return pair.standBy();
+        return pair.standBy(name);
     }
 
     /**
@@ -61,7 +69,7 @@ public final class PairedBase {
      */
     public StandbyMonitor monitor(Session session, Consumer<String> lines, Runnable onReplaced) throws IOException {
         HealthModel health = session.models().health();
-        return pair.monitor(Clock.system(ZoneId.systemDefault()), (now, since) -> {
+        return pair.monitor(name, Clock.system(ZoneId.systemDefault()), (now, since) -> {
             lines.accept("pair: " + now.text() + ", since " + SECONDS.format(since));
             if (now.state() == Protection.State.PROTECTED) {
                 health.over(HealthKind.JOURNAL, SUBJECT);

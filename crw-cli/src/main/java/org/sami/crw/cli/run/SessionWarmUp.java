@@ -34,6 +34,11 @@ final class SessionWarmUp implements AutoCloseable {
         }
 
         @Override
+        public Optional<String> fault() {
+            return Optional.empty();
+        }
+
+        @Override
         public boolean needKeys() {
             return true;
         }
