@@ -243,6 +243,8 @@ final class VehicleBoat implements BaseSession.Boat {
                 told.givenBack();
                 told.end("its autopilot has started again");
             });
+        } else if (event instanceof VehicleEvent.ClockBehind) {
+            settings.clockBehind();
         } else if (event instanceof VehicleEvent.Said said) {
             texts.weigh(said.text(), orders.causes(said.text()), atMs)
                     .ifPresent(weight -> session.ifPresent(told -> told.say(weight, texts.words(said.text()))));

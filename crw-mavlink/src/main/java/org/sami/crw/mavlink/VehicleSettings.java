@@ -18,6 +18,7 @@ final class VehicleSettings {
     private final Executor thread;
     private final VehicleFailsafe failsafe;
     private Optional<String> bootId = Optional.empty();
+    private Optional<Long> starts = Optional.empty();
     private int reads;
 
     /**
@@ -36,15 +37,37 @@ final class VehicleSettings {
     /** Reads all again: the autopilot has started again. */
     void read() {
         bootId = Optional.empty();
+        starts = Optional.empty();
         int number = ++reads;
         Results.when(
                 base.parameter(id, STARTS),
                 thread,
-                count -> started(number, "start " + Math.round(count)),
+                count -> started(number, Math.round(count)),
                 why -> started(
                         number,
                         UUID.randomUUID().toString())); // a firmware that does not count: a new one for each base
         failsafe.read();
+    }
+
+    private void started(int number, long count) {
+        if (number == reads) {
+            starts = Optional.of(count);
+        }
+        started(number, "start " + count);
+    }
+
+    /** Its autopilot's clock is behind: reads whether it has started again, and has all know where it has. A firmware that does not count its starts is not asked. */
+    void clockBehind() {
+        int number = reads;
+        starts.ifPresent(before -> Results.when(
+                base.parameter(id, STARTS),
+                thread,
+                count -> {
+                    if (number == reads && Math.round(count) != before) {
+                        base.restarted(id);
+                    }
+                },
+                unanswered -> {})); // the event comes again
     }
 
     private void started(int number, String name) {

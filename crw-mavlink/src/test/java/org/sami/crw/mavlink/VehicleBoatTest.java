@@ -19,6 +19,7 @@ import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.planning.BoatDemands;
 import org.sami.crw.proxy.BoatProxy;
@@ -42,6 +43,7 @@ class VehicleBoatTest {
     private static final int RTL = 11;
     private static final int GUIDED = 15;
     private static final double NEAR_M = 3;
+    private static final long BEHIND_MS = 7_000;
     private static final GeoPoint START = GeoPoint.of(45.7, 10.72);
     private static final GeoPoint FIRST = GeoPoint.of(45.7003, 10.72);
     private static final GeoPoint SECOND = GeoPoint.of(45.7003, 10.7204);
@@ -333,6 +335,26 @@ class VehicleBoatTest {
         assertThat(boat.isArmed()).isFalse();
         world.tell(BOAT, BoatProxy::confirmRestart);
         completes("p3");
+    }
+
+    @Test
+    void restartInASilenceIsNoticedThoughItsClockShowsAsMuchAsBefore() throws Exception {
+        try (SmallBoat slow = new SmallBoat(8, START.latDeg(), START.lonDeg(), 1)) {
+            world.connect(slow.address());
+            world.untilReady("mav8");
+
+            slow.switchOff();
+            long offMs = ProcessClock.ms();
+            world.until("the link is lost", "mav8", proxy -> proxy.status().link() == LinkState.LOST);
+            Await.until("its clock is behind", GatewayWorld.WAIT_S, () -> ProcessClock.ms() - offMs > BEHIND_MS);
+            slow.switchOn();
+
+            Await.until(
+                    "the restart is noticed",
+                    GatewayWorld.WAIT_S,
+                    () -> world.has(FleetEvent.Restarted.class, news -> true));
+            world.untilReady("mav8");
+        }
     }
 
     @Test

@@ -238,6 +238,22 @@ public final class MavlinkBase implements AutoCloseable {
         owner.execute(() -> send(vehicle, pulses.message(vehicle)));
     }
 
+    /** Has all know that a vehicle's autopilot has started again, as who asks found out by another way than its clock; does nothing for a vehicle that was not heard. */
+    public void restarted(VehicleId vehicle) {
+        owner.execute(() -> {
+            if (table.has(vehicle)) {
+                table.restarted(vehicle);
+                asking.renew(vehicle, nowMs.getAsLong());
+                requests.restarted(vehicle);
+                tell(List.of(new VehicleEvent.Restarted(vehicle)));
+            }
+        });
+    }
+
+    private void tell(List<VehicleEvent> events) {
+        events.forEach(event -> listeners.forEach(listener -> listener.accept(event)));
+    }
+
     /** Has a listener receive what happens to vehicles from now on, on the base's thread: it must return at once and not throw. */
     public void addListener(Consumer<VehicleEvent> listener) {
         listeners.add(listener);
@@ -262,7 +278,7 @@ public final class MavlinkBase implements AutoCloseable {
         if (!table.isForeign(id, from)) {
             requests.take(id, message.payload(), signed, events, now);
         }
-        events.forEach(event -> listeners.forEach(listener -> listener.accept(event)));
+        tell(events);
     }
 
     private void tick() {

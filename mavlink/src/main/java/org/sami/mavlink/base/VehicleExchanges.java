@@ -44,12 +44,17 @@ final class VehicleExchanges {
             if (event instanceof VehicleEvent.Said said) {
                 commands.heard(said.text());
             } else if (event instanceof VehicleEvent.Restarted) {
-                lists.forget();
+                restarted();
             }
         }
         commands.take(message, nowMs);
         lists.take(message, nowMs);
         parameters.take(message, nowMs);
+    }
+
+    /** Its autopilot has started again: what it holds may be another. */
+    void restarted() {
+        lists.forget();
     }
 
     void tick(long nowMs) {

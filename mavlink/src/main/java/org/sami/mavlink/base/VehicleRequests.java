@@ -126,6 +126,11 @@ final class VehicleRequests {
         Optional.ofNullable(exchanges.get(vehicle)).ifPresent(open -> open.take(message, events, now));
     }
 
+    /** A vehicle's autopilot has started again. */
+    void restarted(VehicleId vehicle) {
+        Optional.ofNullable(exchanges.get(vehicle)).ifPresent(VehicleExchanges::restarted);
+    }
+
     /** Sends again where an answer is overdue. */
     void tick(long now) {
         exchanges.values().forEach(open -> open.tick(now));

@@ -59,6 +59,9 @@ public sealed interface VehicleEvent {
     /** Its autopilot has started again: what is known of its lists and parameters may not hold any more. */
     record Restarted(VehicleId vehicle) implements VehicleEvent {}
 
+    /** Its clock is behind: its autopilot may have started again while it was not heard, or what it says comes late. Comes again every 30 s for as long as it is. */
+    record ClockBehind(VehicleId vehicle) implements VehicleEvent {}
+
     /** It is heard on a further link, on which it can be commanded from now on as well. */
     record LinkJoined(VehicleId vehicle, MavlinkAddress link) implements VehicleEvent {}
 

@@ -48,6 +48,7 @@ final class VehicleRecord {
     private final VehicleId id;
     private final LinkChoice links = new LinkChoice();
     private final DuplicateIdDetector duplicates = new DuplicateIdDetector();
+    private final BootClock bootClock = new BootClock();
     private final OwnLinks own;
     private final RepeatedNews repeated = new RepeatedNews();
     private final Map<MavlinkAddress, StatusTextParts> parts = new HashMap<>();
@@ -109,10 +110,7 @@ final class VehicleRecord {
             positionMs = nowMs;
             position = position(at, nowMs);
             position.ifPresent(place -> duplicates.at(place.latDeg(), place.lonDeg(), nowMs));
-            if (duplicates.restarted(at.timeBootMs(), nowMs) && !isTwin()) {
-                located = false;
-                events.add(new VehicleEvent.Restarted(id));
-            }
+            clock(at.timeBootMs(), nowMs, events);
         } else if (payload instanceof SysStatus status) {
             battery = Optional.of(battery(status));
             health = health.with(status);
@@ -128,6 +126,23 @@ final class VehicleRecord {
         } else {
             VehicleReadings.of(payload).forEach(reading -> events.add(new VehicleEvent.Measured(id, reading)));
         }
+    }
+
+    private void clock(long bootMs, long nowMs, List<VehicleEvent> events) {
+        if (duplicates.restarted(bootMs, nowMs)) {
+            if (!isTwin()) {
+                restarted();
+                events.add(new VehicleEvent.Restarted(id));
+            }
+        } else if (bootClock.isBehind(bootMs, nowMs) && !isTwin()) {
+            events.add(new VehicleEvent.ClockBehind(id));
+        }
+    }
+
+    /** Its autopilot has started again: it does not know where it is. */
+    void restarted() {
+        located = false;
+        bootClock.restarted();
     }
 
     /** A picture at its own place, or where it has none (0, 0) at the vehicle's; none where neither is known. */

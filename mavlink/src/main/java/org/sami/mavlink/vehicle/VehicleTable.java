@@ -81,6 +81,11 @@ public final class VehicleTable {
                 .isPresent();
     }
 
+    /** A vehicle's autopilot has started again, as was found out elsewhere. */
+    public void restarted(VehicleId id) {
+        Optional.ofNullable(vehicles.get(id)).ifPresent(VehicleRecord::restarted);
+    }
+
     /** Whether two vehicles have this id, as far as the last seconds show. */
     public boolean isTwin(VehicleId id) {
         return Optional.ofNullable(vehicles.get(id))

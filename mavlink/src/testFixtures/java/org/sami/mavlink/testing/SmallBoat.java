@@ -60,6 +60,7 @@ public final class SmallBoat implements AutoCloseable {
     private int mode = SmallBoatMotion.HOLD;
     private boolean armed;
     private boolean failsafe;
+    private boolean off;
     private final double times;
     private long bootMs = 60_000;
     private int armings;
@@ -255,11 +256,28 @@ public final class SmallBoat implements AutoCloseable {
         failsafe = false;
     }
 
+    /** Its autopilot has no power from now on. */
+    public synchronized void switchOff() {
+        off = true;
+    }
+
+    /** Its autopilot starts again, and is heard once its clock shows as much as when it was switched off. */
+    public synchronized void switchOn() {
+        long before = bootMs;
+        restart();
+        bootMs = before;
+        off = false;
+    }
+
     private void heard(Object message, SmallVehicleLink from) {
         faults.awaitThaw();
-        if (!faults.isDeaf()) {
+        if (!faults.isDeaf() && !isOff()) {
             take(message, from);
         }
+    }
+
+    private synchronized boolean isOff() {
+        return off;
     }
 
     private synchronized void take(Object message, SmallVehicleLink from) {
@@ -390,7 +408,7 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private synchronized void step() {
-        if (faults.isFrozen()) {
+        if (faults.isFrozen() || off) {
             return;
         }
         bootMs += STEP_MS;
