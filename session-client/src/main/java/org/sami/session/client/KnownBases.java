@@ -1,9 +1,11 @@
 package org.sami.session.client;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
@@ -20,6 +22,7 @@ final class KnownBases {
     private static final long LONGEST_WAIT_OF_SEVERAL_MS = 1000;
 
     private final List<SessionAddress> all = new ArrayList<>();
+    private final Set<SessionAddress> leftOut = new HashSet<>();
     private final Map<SessionAddress, String> faults = new LinkedHashMap<>(); // of this round: why not
     private int at;
     private int rounds;
@@ -34,9 +37,11 @@ final class KnownBases {
         }
     }
 
-    /** Takes up bases that one of them has named. */
+    /** Takes up bases that one of them has named, but for those that were left out. */
     final void add(List<SessionAddress> announced) {
-        announced.stream().filter(one -> !all.contains(one)).forEach(all::add);
+        announced.stream()
+                .filter(one -> !all.contains(one) && !leftOut.contains(one))
+                .forEach(all::add);
     }
 
     /** All of them. */
@@ -124,7 +129,7 @@ final class KnownBases {
             return false;
         }
         faults.remove(current());
-        all.remove(at);
+        leftOut.add(all.remove(at));
         at %= all.size();
         return true;
     }

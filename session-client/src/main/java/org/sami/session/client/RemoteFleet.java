@@ -3,13 +3,13 @@ package org.sami.session.client;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.sami.boat.link.GainAxis;
@@ -35,7 +35,8 @@ final class RemoteFleet implements FrontFleet {
     private final Supplier<OperatorModels> models;
     private final Supplier<Optional<LostLinkAction>> wish;
     private final Supplier<Optional<TicketedBase>> holder;
-    private final Set<String> claimed = ConcurrentHashMap.newKeySet();
+    private final Set<String> claimed = new HashSet<>(); // guarded by itself
+    private long unclaimed; // how often all were; guarded by claimed
 
     /**
      * Its boats.
@@ -54,9 +55,12 @@ final class RemoteFleet implements FrontFleet {
         this.models = models;
     }
 
-    /** The server has ended this connection's claims. */
-    void disconnected() {
-        claimed.clear();
+    /** The server has ended all of this person's claims here. A claim whose reply is still to arrive was one of them. */
+    void unclaimed() {
+        synchronized (claimed) {
+            unclaimed++;
+            claimed.clear();
+        }
     }
 
     private static ObjectNode forBoat(String what, String boat) {
@@ -225,15 +229,29 @@ final class RemoteFleet implements FrontFleet {
 
     /** Claims a boat for this person, unless that is done. */
     CompletionStage<Void> claim(String boat) {
-        return claimed.contains(boat)
-                ? CompletableFuture.completedFuture(null)
-                : server.ask(ServerRequests.message("claim").put("boat", boat)).thenAccept(done -> claimed.add(boat));
+        long before;
+        synchronized (claimed) {
+            if (claimed.contains(boat)) {
+                return CompletableFuture.completedFuture(null);
+            }
+            before = unclaimed;
+        }
+        return server.ask(ServerRequests.message("claim").put("boat", boat)).thenAccept(done -> {
+            synchronized (claimed) {
+                if (before == unclaimed) {
+                    claimed.add(boat);
+                }
+            }
+        });
     }
 
     @Override
     public CompletionStage<Void> handBack(String boat) {
-        return server.ask(ServerRequests.message("giveBack").put("boat", boat))
-                .thenAccept(done -> claimed.remove(boat));
+        return server.ask(ServerRequests.message("giveBack").put("boat", boat)).thenAccept(done -> {
+            synchronized (claimed) {
+                claimed.remove(boat);
+            }
+        });
     }
 
     @Override

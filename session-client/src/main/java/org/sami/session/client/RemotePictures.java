@@ -37,6 +37,7 @@ final class RemotePictures implements Closeable {
     private final Deque<Held> waiting = new ArrayDeque<>(); // the newest first
     private final Thread leftovers = new Thread(this::delete, "pictures of the session");
     private @Nullable TicketedBase base;
+    private @Nullable CompletableFuture<?> underWay;
     private boolean wanted;
     private boolean fetching;
     private boolean closed;
@@ -79,10 +80,17 @@ final class RemotePictures implements Closeable {
         return folder;
     }
 
-    /** They come from this base from now on. */
+    /** They come from this base from now on. What is under way from an earlier login is given up: where its base has lost its power, nothing would ever end it. */
     void from(TicketedBase now) {
         base = now;
+        giveUp();
         next();
+    }
+
+    private void giveUp() {
+        if (underWay != null) {
+            underWay.cancel(true);
+        }
     }
 
     /** Whether a row says that a picture is in the server's folder. */
@@ -129,11 +137,14 @@ final class RemotePictures implements Closeable {
             return;
         }
         fetching = true;
-        var unused = request(from, one, file.resolveSibling(file.getFileName() + ".part"))
-                .whenComplete((response, fault) -> execute(() -> {
-                    fetching = false;
-                    arrived(one, file, from, response == null ? 0 : response.statusCode());
-                }));
+        CompletableFuture<HttpResponse<Path>> asked =
+                request(from, one, file.resolveSibling(file.getFileName() + ".part"));
+        underWay = asked;
+        var unused = asked.whenComplete((response, fault) -> execute(() -> {
+            fetching = false;
+            underWay = null;
+            arrived(one, file, from, response == null ? 0 : response.statusCode());
+        }));
     }
 
     private CompletableFuture<HttpResponse<Path>> request(TicketedBase from, Held one, Path part) {
@@ -202,6 +213,7 @@ final class RemotePictures implements Closeable {
     @Override
     public void close() {
         closed = true;
+        giveUp();
         waiting.clear();
         delete();
         try {

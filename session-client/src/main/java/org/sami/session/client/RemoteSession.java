@@ -61,7 +61,7 @@ public final class RemoteSession implements FrontSession, AutoCloseable {
         requests = new RemoteRequests(this::send, front);
         fleet = new RemoteFleet(requests, this::models, () -> followed().lostLinkWish(), this::holder);
         follower = new SessionFollower(
-                bases, login, trust, front, threads.map(), listener, wallClock, threads.link(), fleet::disconnected);
+                bases, login, trust, front, threads.map(), listener, wallClock, threads.link(), fleet::unclaimed);
     }
 
     /**

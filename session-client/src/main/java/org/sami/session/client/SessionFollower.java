@@ -28,7 +28,7 @@ final class SessionFollower implements LinkListener {
     private final Executor computing;
     private final RemoteListener listener;
     private final Supplier<LocalTime> wallClock;
-    private final Runnable disconnected;
+    private final Runnable unclaimed;
     private final CompletableFuture<SessionCopy> first = new CompletableFuture<>();
     private final CompletableFuture<SessionCopy> shown = new CompletableFuture<>(); // with the rows of its boats
     private final SessionLink link;
@@ -45,7 +45,7 @@ final class SessionFollower implements LinkListener {
     /**
      * Follows nothing yet.
      *
-     * @param disconnected is run when a connection has ended, and the server has forgotten what was claimed by it
+     * @param unclaimed is run when the server has forgotten what was claimed: a connection has ended, or this person may drive no longer
      */
     SessionFollower(
             List<SessionAddress> bases,
@@ -56,13 +56,13 @@ final class SessionFollower implements LinkListener {
             RemoteListener listener,
             Supplier<LocalTime> wallClock,
             ScheduledExecutorService thread,
-            Runnable disconnected) {
+            Runnable unclaimed) {
         this.login = login;
         this.front = front;
         this.computing = computing;
         this.listener = listener;
         this.wallClock = wallClock;
-        this.disconnected = disconnected;
+        this.unclaimed = unclaimed;
         base = bases.get(0);
         link = new SessionLink(bases, login, trust, this, thread);
         this.trust = trust;
@@ -161,7 +161,7 @@ final class SessionFollower implements LinkListener {
     @Override
     public void lost(String why, String trying) {
         loggedIn = false;
-        disconnected.run();
+        unclaimed.run();
         say("connection lost (" + why + "), last seen " + lastSeen() + trying);
     }
 
@@ -229,6 +229,9 @@ final class SessionFollower implements LinkListener {
     private void take(PersonRights now, boolean tell) {
         boolean other = !now.equals(rights);
         rights = now;
+        if (!now.has("drive")) {
+            unclaimed.run();
+        }
         if (other && tell) {
             listener.rights(now);
         }

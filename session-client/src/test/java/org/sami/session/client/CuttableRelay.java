@@ -12,6 +12,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 
 /** Stands between a front and a server on loopback, and cuts all connections when a test says so, or when the server has said something. */
@@ -19,6 +21,9 @@ final class CuttableRelay implements Closeable {
     private final ServerSocket listening = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     private final InetSocketAddress server;
     private final List<Socket> sockets = new CopyOnWriteArrayList<>();
+    private final List<Socket> stalled = new CopyOnWriteArrayList<>();
+    private final CountDownLatch closed = new CountDownLatch(1);
+    private final AtomicLong mostBytes = new AtomicLong(Long.MAX_VALUE);
     private final AtomicReference<Optional<String>> lastWords = new AtomicReference<>(Optional.empty());
 
     CuttableRelay(InetSocketAddress server) throws IOException {
@@ -53,6 +58,7 @@ final class CuttableRelay implements Closeable {
 
     private void pump(Socket from, Socket to) {
         byte[] buffer = new byte[8192];
+        long bytes = 0;
         try (from;
                 to;
                 InputStream in = from.getInputStream();
@@ -60,6 +66,11 @@ final class CuttableRelay implements Closeable {
             for (int read = in.read(buffer); read >= 0; read = in.read(buffer)) {
                 out.write(buffer, 0, read);
                 out.flush();
+                bytes += read;
+                if (bytes > mostBytes.get()) {
+                    stall(from, to);
+                    return;
+                }
                 String text = new String(buffer, 0, read, StandardCharsets.ISO_8859_1);
                 if (lastWords
                         .getAndUpdate(words -> words.filter(one -> !text.contains(one)))
@@ -73,12 +84,33 @@ final class CuttableRelay implements Closeable {
         }
     }
 
+    private void stall(Socket from, Socket to) {
+        mostBytes.set(Long.MAX_VALUE);
+        sockets.removeAll(List.of(from, to));
+        stalled.addAll(List.of(from, to));
+        try {
+            closed.await();
+        } catch (InterruptedException ended) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Relays no more of the first connection that carries more than so many bytes to one side, and leaves it open, as where a machine loses its power. */
+    void stallAfter(long bytes) {
+        mostBytes.set(bytes);
+    }
+
+    /** Whether a connection stands still. */
+    boolean hasStalled() {
+        return !stalled.isEmpty();
+    }
+
     /** Cuts the connection on which the server first says these words, right after them; later ones are relayed. */
     void cutAfter(String words) {
         lastWords.set(Optional.of(words));
     }
 
-    /** Cuts all connections; new ones are relayed. */
+    /** Cuts all connections but one that stands still; new ones are relayed. */
     void cut() throws IOException {
         for (Socket socket : sockets) {
             socket.close();
@@ -90,5 +122,9 @@ final class CuttableRelay implements Closeable {
     public void close() throws IOException {
         listening.close();
         cut();
+        closed.countDown();
+        for (Socket socket : stalled) {
+            socket.close();
+        }
     }
 }

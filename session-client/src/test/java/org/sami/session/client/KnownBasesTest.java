@@ -75,6 +75,16 @@ class KnownBasesTest {
     }
 
     @Test
+    void baseThatWasLeftOutIsNotTakenUpAgainWhenAnotherNamesIt() {
+        KnownBases bases = new KnownBases(List.of(A, B));
+
+        assertThat(bases.leaveOut()).isTrue();
+        bases.add(List.of(A, B, C));
+
+        assertThat(bases.all()).containsExactly(B, C);
+    }
+
+    @Test
     void roundInWhichAStandbyAnsweredIsWorthAnother() {
         KnownBases bases = new KnownBases(List.of(A, B));
         bases.failed("no server answers", false);

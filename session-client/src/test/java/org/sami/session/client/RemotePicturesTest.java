@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalTime;
 import java.util.List;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.stream.Collectors;
@@ -37,6 +39,7 @@ import org.sami.spn.value.GeoPoint;
 
 /** Pictures of boats in a front elsewhere, over HTTPS on loopback. */
 class RemotePicturesTest {
+    private static final int LARGE = 3_000_000;
     private static final byte[] PICTURE = {(byte) 0xff, (byte) 0xd8, 1, 2, 3, 4};
 
     @TempDir
@@ -65,10 +68,21 @@ class RemotePicturesTest {
         front.shutdown();
     }
 
+    private static byte[] large() {
+        byte[] picture = new byte[LARGE];
+        new SplittableRandom(7).nextBytes(picture);
+        System.arraycopy(PICTURE, 0, picture, 0, PICTURE.length);
+        return picture;
+    }
+
     /** The boat anna has taken pictures, of which the first has come, and the last will not. */
     private void take(String panorama) throws IOException {
+        take(panorama, PICTURE);
+    }
+
+    private void take(String panorama, byte[] picture) throws IOException {
         Path file = kept.place(SessionPictures.path("anna", panorama, "a.jpg"));
-        Files.write(file, PICTURE);
+        Files.write(file, picture);
         Panorama command = new Panorama(panorama, 1, Ids.NONE, 2, Priority.MEDIUM);
         for (FleetEvent event : List.of(
                 new FleetEvent.PanoramaTaken("anna", command, 2, GeoPoint.of(45.4, 10.9), List.of("a.jpg", "b.jpg")),
@@ -80,9 +94,12 @@ class RemotePicturesTest {
     }
 
     private RemoteSession open() throws Exception {
+        return open(server.listensAt().getPort());
+    }
+
+    private RemoteSession open(int port) throws Exception {
         return RemoteSession.open(
-                List.of(SessionAddress.parse(
-                        "wss://127.0.0.1:" + server.listensAt().getPort())),
+                List.of(SessionAddress.parse("wss://127.0.0.1:" + port)),
                 new Login("otto", "key of otto"),
                 new ServerTrust(new KnownServers(folder.resolve("servers")), (address, print) -> true),
                 front,
@@ -121,6 +138,22 @@ class RemotePicturesTest {
                                     "anna: 1 of 2 pictures, 1 will not come")));
         }
         Await.until("nothing of it stays here", () -> !Files.exists(here));
+    }
+
+    @Test
+    void pictureThatStandsStillInTheMiddleComesAfterTheNextLogin() throws Exception {
+        take("p1", large());
+        try (CuttableRelay relay = new CuttableRelay(new InetSocketAddress(
+                        InetAddress.getLoopbackAddress(), server.listensAt().getPort()));
+                RemoteSession remote = open(relay.port())) {
+            relay.stallAfter(LARGE / 2);
+            remote.fetchPictures();
+            Await.until("the picture stands still", relay::hasStalled);
+
+            relay.cut();
+
+            Await.until("it has come", () -> states(remote).equals(List.of("anna: 1 of 2 pictures, 1 will not come")));
+        }
     }
 
     @Test

@@ -219,7 +219,7 @@ class RemoteSessionTest {
 
             RemoteSession anna = open(relay.port(), "anna", "key of anna", notices);
 
-            assertThat(notices.next()).startsWith("connection lost (");
+            assertThat(notices.next("connection lost (")).contains("last seen");
             assertThat(anna.rights().role()).isEqualTo("operator");
             get(anna.start(PLAN, PLAN, Map.of()));
         }

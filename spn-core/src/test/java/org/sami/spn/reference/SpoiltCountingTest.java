@@ -108,7 +108,7 @@ class SpoiltCountingTest {
     @MethodSource("lines")
     void disagreesSoon(String spoilt, String source, String right, String wrong, @TempDir Path folder)
             throws ReflectiveOperationException {
-        assertThat(NETS.difference(folder, PLANS.resolve(source + ".java"), right, wrong))
+        assertThat(NETS.difference(spoilt, folder, PLANS.resolve(source + ".java"), right, wrong))
                 .as(spoilt)
                 .isPresent();
     }

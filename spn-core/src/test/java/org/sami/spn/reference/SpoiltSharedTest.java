@@ -81,6 +81,8 @@ class SpoiltSharedTest {
     @MethodSource("lines")
     void disagreesSoon(String spoilt, Path source, String right, String wrong, @TempDir Path folder)
             throws ReflectiveOperationException {
-        assertThat(NETS.difference(folder, source, right, wrong)).as(spoilt).isPresent();
+        assertThat(NETS.difference(spoilt, folder, source, right, wrong))
+                .as(spoilt)
+                .isPresent();
     }
 }
