@@ -54,17 +54,22 @@ export function byId<Id extends keyof Elements>(id: Id): Elements[Id] {
   return document.getElementById(id) as Elements[Id];
 }
 
+/** What ends a hold. */
+const OVER = ['pointerup', 'pointerleave', 'pointercancel', 'blur'];
+
 /** A button that acts only after it was held for a second, so that no touch by accident does it. */
 export function hold(button: HTMLElement, action: () => void) {
   let timer = 0;
   const end = () => {
     clearTimeout(timer);
     button.classList.remove('held');
+    OVER.forEach((over) => window.removeEventListener(over, end));
   };
   const begin = (event: Event) => {
     event.preventDefault();
     end();
     button.classList.add('held');
+    OVER.forEach((over) => window.addEventListener(over, end)); // only meanwhile: lists make such buttons again and again
     timer = window.setTimeout(() => {
       end();
       if (button.isConnected) { // a button that was replaced meanwhile does nothing
@@ -73,10 +78,7 @@ export function hold(button: HTMLElement, action: () => void) {
     }, 1000);
   };
   button.addEventListener('pointerdown', begin);
-  for (const over of ['pointerup', 'pointerleave', 'pointercancel', 'blur']) {
-    button.addEventListener(over, end);
-    window.addEventListener(over, end);
-  }
+  OVER.forEach((over) => button.addEventListener(over, end));
   button.addEventListener('keydown', (event) => {
     if ((event.key === 'Enter' || event.key === ' ') && !event.repeat) {
       begin(event);

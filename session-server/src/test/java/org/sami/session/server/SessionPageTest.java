@@ -134,6 +134,20 @@ class SessionPageTest {
     }
 
     @Test
+    void missionThatIsShownAddsNoListenersToTheWindow() throws Exception {
+        page.join();
+        page.start("station-keep");
+        browser.click("#tabs button:nth-child(3)");
+        browser.until("document.querySelector('#panel .mission button.danger') !== null");
+        browser.value("window.added = 0; window.words = document.querySelector('#panel .mission p').textContent;"
+                + " window.addEventListener = () => window.added++");
+
+        browser.until("document.querySelector('#panel .mission p').textContent !== window.words"); // made again
+
+        assertThat(browser.value("window.added").asInt()).isZero();
+    }
+
+    @Test
     void readingsOfABoatAreListedAndDrawnOnTheMap() throws Exception {
         try (MeasuringBoat boat = new MeasuringBoat()) {
             boat.join(session);
