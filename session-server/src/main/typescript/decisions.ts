@@ -12,7 +12,8 @@ const JUDGE_MS = 400; // after the last change
 /** What the form needs of the page around it. */
 export interface Page {
   say(text: string, isFault: boolean): void;
-  back(): void;
+  /** Leaves a form, where it is the one that is shown. */
+  back(from: DecisionForm): void;
   resized(): void;
 }
 
@@ -53,7 +54,7 @@ export class DecisionForm {
     this.timer = element('div', {class: 'timer'});
     this.state = element('div', {class: 'boat-states'});
     this.seen = element('div', {class: 'seen-by'});
-    const back = element('button', {class: 'back', 'aria-label': 'Back to the list', onclick: () => page.back()}, '‹');
+    const back = element('button', {class: 'back', 'aria-label': 'Back to the list', onclick: () => page.back(this)}, '‹');
     const where = [decision.plan, decision.place].filter(Boolean).join(' · ');
     const lines = (decision.description ?? []).map((line) => element('p', {}, line));
     this.node = element('section', {class: 'decision'}, element('header', {}, back, element('h2', {}, decision.title)),
@@ -179,7 +180,7 @@ export class DecisionForm {
     const reply = await this.link.ask({t: 'answer', decision: this.decision.id, answer: given});
     if (reply.t === 'done') {
       this.page.say(reply.text || 'Answered', false);
-      this.page.back();
+      this.page.back(this);
     } else {
       this.faults.textContent = reply.text;
     }

@@ -32,9 +32,11 @@ const pictures = new Pictures(link, () => refresh());
 const actions: panels.Actions = {
   open: (decision: DecisionRow) => {
     back();
-    form = forms.get(decision.id) ?? new DecisionForm(decision, link, chart as Chart, pictures, {say, back: () => {
-      back();
-      refresh(true);
+    form = forms.get(decision.id) ?? new DecisionForm(decision, link, chart as Chart, pictures, {say, back: (from) => {
+      if (from === form) { // a late reply to one answer leaves the form of another question as it is
+        back();
+        refresh(true);
+      }
     }, resized: () => chart?.resized()});
     forms.set(decision.id, form);
     document.body.classList.add('open');

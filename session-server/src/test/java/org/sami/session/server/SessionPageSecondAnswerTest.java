@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.spn.model.Project;
 
-/** Somebody in a browser answers a question that another person answers as well. */
+/** Somebody in a browser answers a question that another person answers as well, or that changes meanwhile. */
 @Tag("long")
 @Timeout(900)
 class SessionPageSecondAnswerTest {
@@ -32,13 +32,17 @@ class SessionPageSecondAnswerTest {
           {'id': 'o2', 'transition': 'no', 'place': 'done', 'requirements': [{'kind': 'generic', 'action': 'take', 'n': 1}]}]}]}\
         """);
 
-    /** The page hears rows and news later while {@code window.late} is a list, as over a slow link; replies come at once. */
+    /**
+     * The page hears rows and news later while {@code window.late} is a list, as over a slow link; replies come at once unless
+     * {@code window.slow} is another pattern.
+     */
     private static final String SLOW_LINK = """
         (() => {
           const handler = Object.getOwnPropertyDescriptor(WebSocket.prototype, 'onmessage');
           Object.defineProperty(WebSocket.prototype, 'onmessage', {set(hear) {
             handler.set.call(this, (event) =>
-              window.late && /"t":"(rows|news)"/.test(event.data) ? window.late.push(() => hear(event)) : hear(event));
+              window.late && (window.slow ?? /"t":"(rows|news)"/).test(event.data)
+                ? window.late.push({text: event.data, hear: () => hear(event)}) : hear(event));
           }});
         })()\
         """;
@@ -83,10 +87,34 @@ class SessionPageSecondAnswerTest {
         browser.click(".decision .answers button:not(.main)"); // No
 
         browser.until("document.querySelector('.decision').textContent.includes('ben has answered decision ')");
-        browser.value("const heard = window.late; window.late = null; heard.forEach((one) => one())");
+        hearWhatIsLate();
         browser.until("document.querySelector('.decision') === null");
         browser.until("document.getElementById('notice').textContent.includes('ben answered [')");
         assertThat(page.session.models().decisions().pending()).isEmpty();
+    }
+
+    @Test
+    void lateReplyToOneAnswerLeavesTheFormOfAnotherQuestionOpen() throws Exception {
+        page.start("asking");
+        browser.until("document.querySelectorAll('#panel button.row').length === 2");
+        browser.click("#panel button.row");
+        browser.value("window.slow = /\"t\":\"(rows|news|done)\"/; window.late = []");
+        browser.click(".decision .answers button:not(.main)"); // No
+        browser.click(".decision button.back");
+        browser.click("#panel button.row:nth-child(2)");
+        browser.until("document.querySelector('.decision .answers button') !== null");
+        browser.value("window.second = document.querySelector('.decision')");
+
+        browser.until("window.late.some((one) => one.text.includes('\"t\":\"done\"'))");
+        hearWhatIsLate();
+
+        assertThat(browser.value("document.querySelector('.decision') === window.second")
+                        .asBoolean())
+                .isTrue();
+    }
+
+    private void hearWhatIsLate() {
+        browser.value("const heard = window.late; window.late = null; heard.forEach((one) => one.hear())");
     }
 
     private void answerAsBen() throws Exception {
