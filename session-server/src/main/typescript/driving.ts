@@ -20,6 +20,8 @@ export class Driving {
   knob: HTMLElement;
   stick: HTMLElement;
   keys: Set<string>;
+  /** That drags the stick. */
+  pointer: number | null;
 
   constructor(link: Link, chart: Chart, page: {command: (command: Command) => void, resized: () => void}) {
     this.link = link;
@@ -39,6 +41,7 @@ export class Driving {
     window.addEventListener('blur', () => this.release());
     document.addEventListener('visibilitychange', () => document.hidden && this.release());
     this.keys = new Set();
+    this.pointer = null;
   }
 
   /** What can be done with a boat by hand, always the same element, so that a drag goes on when the list is made again; null where nothing is to be. */
@@ -79,6 +82,7 @@ export class Driving {
   press(event: PointerEvent) {
     event.preventDefault();
     this.stick.setPointerCapture(event.pointerId);
+    this.pointer = event.pointerId;
     this.stick.focus({preventScroll: true});
     this.move(event);
     this.begin();
@@ -126,7 +130,17 @@ export class Driving {
     this.send();
   }
 
+  /** Whether a hand is on the stick. One that was taken out of the page hears neither of a pointer that is lifted nor of a key. */
+  isHeld() {
+    return this.stick.isConnected
+      && ((this.keys.size > 0 && document.activeElement === this.stick) || (this.pointer !== null && this.stick.hasPointerCapture(this.pointer)));
+  }
+
   async send() {
+    if (this.timer !== 0 && !this.isHeld()) {
+      this.release();
+      return;
+    }
     const reply = this.boat === null ? {t: 'done'} : await this.link.ask({t: 'drive', boat: this.boat, thrust: this.thrust, rudder: this.rudder});
     if (reply.t === 'refused') {
       this.release();
@@ -136,6 +150,7 @@ export class Driving {
   /** The hand is off: the motors stop. */
   release() {
     this.keys.clear();
+    this.pointer = null;
     if (this.timer !== 0) {
       clearInterval(this.timer);
       this.timer = 0;
