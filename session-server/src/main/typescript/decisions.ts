@@ -62,6 +62,18 @@ export class DecisionForm {
     this.tick();
   }
 
+  /** Whether a row asks the same question of the same person. Ids begin at 1 in each session, and `opened` is another where a base goes on with one. */
+  asks(row: DecisionRow) {
+    return DecisionForm.question(row) === DecisionForm.question(this.decision);
+  }
+
+  /** What a form is made of. */
+  static question(row: DecisionRow) {
+    const answers = row.form === 'fields' ? row.fields : row.form === 'yesNo' ? [] : row.options;
+    const counts = row.form === 'boats' ? [row.min, row.max] : [];
+    return JSON.stringify([row.mission, row.plan, row.place, row.type, row.form, row.format, row.title, row.description, row.reject, row.yours, row.whyNot, answers, counts]);
+  }
+
   /** The row has changed, or time has passed. */
   tick(decision?: DecisionRow) {
     this.decision = decision ?? this.decision;

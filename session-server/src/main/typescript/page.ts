@@ -31,16 +31,8 @@ const pictures = new Pictures(link, () => refresh());
 
 const actions: panels.Actions = {
   open: (decision: DecisionRow) => {
-    back();
-    form = forms.get(decision.id) ?? new DecisionForm(decision, link, chart as Chart, pictures, {say, back: (from) => {
-      if (from === form) { // a late reply to one answer leaves the form of another question as it is
-        back();
-        refresh(true);
-      }
-    }, resized: () => chart?.resized()});
-    forms.set(decision.id, form);
+    showForm(decision);
     document.body.classList.add('open');
-    form.show();
     refresh(true);
   },
   command: async (command: Command) => {
@@ -157,6 +149,19 @@ function tabs() {
     }}, WORDS[name], counts[name] > 0 ? element('b', {class: name}, String(counts[name])) : null)));
 }
 
+/** Shows the form of a decision, as it was left; the panel is made again later. */
+function showForm(decision: DecisionRow) {
+  back();
+  form = forms.get(decision.id) ?? new DecisionForm(decision, link, chart as Chart, pictures, {say, back: (from) => {
+    if (from === form) { // a late reply to one answer leaves the form of another question as it is
+      back();
+      refresh(true);
+    }
+  }, resized: () => chart?.resized()});
+  forms.set(decision.id, form);
+  form.show();
+}
+
 /** Leaves the decision that is shown. */
 function back() {
   form?.close();
@@ -167,19 +172,23 @@ function capital(word: string) {
   return word.charAt(0).toUpperCase() + word.slice(1);
 }
 
-/** Follows the rows of decisions: forms of those that are gone go too, and who has not been opened draws attention. */
+/** Follows the rows of decisions: forms of those that are gone or ask something else go too, and who has not been opened draws attention. */
 function followDecisions() {
   if (!link.isOpen) {
     return; // they may be there again
   }
   for (const [id, one] of forms) {
     const row = link.row('decisions', id);
-    if (row) {
+    if (row && one.asks(row)) {
       one.tick(row);
-    } else {
-      forms.delete(id);
-      if (one === form) {
-        back();
+      continue;
+    }
+    forms.delete(id);
+    called.delete(id);
+    if (one === form) {
+      back();
+      if (row) {
+        showForm(row);
       }
     }
   }

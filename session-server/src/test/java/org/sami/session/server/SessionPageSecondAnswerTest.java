@@ -3,6 +3,7 @@ package org.sami.session.server;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -111,6 +112,21 @@ class SessionPageSecondAnswerTest {
         assertThat(browser.value("document.querySelector('.decision') === window.second")
                         .asBoolean())
                 .isTrue();
+    }
+
+    @Test
+    void openQuestionHasButtonsWhileItIsThePersons() throws Exception {
+        Path people = folder.resolve("people");
+        String operators = Files.readString(people);
+
+        Files.writeString(people, operators.replace("operator", "observer"));
+        browser.until("document.querySelector('.decision > .hint')?.textContent.includes('observer')");
+        assertThat(browser.value("document.querySelector('.decision .answers button') === null")
+                        .asBoolean())
+                .isTrue();
+
+        Files.writeString(people, operators);
+        browser.until("document.querySelector('.decision .answers button.main') !== null");
     }
 
     private void hearWhatIsLate() {
