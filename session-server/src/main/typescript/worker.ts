@@ -15,14 +15,16 @@ interface WorkerScope {
   addEventListener(name: 'fetch', heard: (event: FetchOfPage) => void): void;
 }
 
+/** Tiles of the map are many, and each panorama has pictures: neither is kept. */
+const PAGE = new Set(FILES.map((file) => new URL(file, self.location.href).href));
 const worker = self as unknown as WorkerScope;
-const CACHE = 'sami-session-4';
+const CACHE = 'sami-session-5';
 
 worker.addEventListener('install', (event) => event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES))));
 worker.addEventListener('activate', (event) =>
   event.waitUntil(caches.keys().then((names) => Promise.all(names.filter((name) => name !== CACHE).map((name) => caches.delete(name))))));
 worker.addEventListener('fetch', (event) => {
-  if (event.request.method !== 'GET' || event.request.headers.has('Authorization')) { // pictures are kept nowhere
+  if (event.request.method !== 'GET' || !PAGE.has(event.request.url)) {
     return;
   }
   event.respondWith(
