@@ -3,16 +3,18 @@ import {Drawing} from './drawing.js';
 import {element} from './dom.js';
 import type {Chart} from './chart.js';
 import type {Link} from './link.js';
-import type {BoatRow, Command, LatLon} from './protocol.js';
+import type {BoatRow, Command, LatLon, Reply} from './protocol.js';
 
 const EVERY_MS = 150; // the server stops the motors after 400 ms without a word
 
 export class Driving {
   link: Link;
-  page: {command: (command: Command) => void, resized: () => void};
+  page: {command: (command: Command) => Promise<Reply>, resized: () => void};
   drawing: Drawing;
   chart: Chart;
   boat: string | null;
+  /** The connections in which boats were claimed here: the same person may have claimed one on another screen, or before the link was lost. */
+  claimed: Map<string, WebSocket | undefined>;
   timer: number;
   thrust: number;
   rudder: number;
@@ -23,12 +25,13 @@ export class Driving {
   /** That drags the stick. */
   pointer: number | null;
 
-  constructor(link: Link, chart: Chart, page: {command: (command: Command) => void, resized: () => void}) {
+  constructor(link: Link, chart: Chart, page: {command: (command: Command) => Promise<Reply>, resized: () => void}) {
     this.link = link;
     this.page = page;
     this.drawing = new Drawing(chart, page.resized);
     this.chart = chart;
     this.boat = null;
+    this.claimed = new Map();
     this.timer = 0;
     this.thrust = 0;
     this.rudder = 0;
@@ -49,17 +52,29 @@ export class Driving {
     if (!this.link.may('drive') || boat.link === 'unreached') {
       return null;
     }
-    const mine = boat.driver === this.link.welcome?.name;
+    const isMe = boat.driver !== undefined && boat.driver === this.link.welcome?.name;
+    const mine = isMe && this.claimed.has(boat.id) && this.claimed.get(boat.id) === this.link.socket;
+    if (!mine && this.boat === boat.id) {
+      this.claimed.delete(boat.id); // it was given back, or the session took it
+    }
     const words = [boat.id, boat.driver ?? '', mine].join(' ');
     if (this.root.dataset.words !== words) {
       this.release();
       this.boat = mine ? boat.id : null;
       this.root.dataset.words = words;
       this.root.replaceChildren(...(mine ? this.controls(boat.id) : [boat.driver
-        ? element('small', {}, boat.driver + ' drives it.')
-        : element('button', {onclick: () => this.page.command({t: 'claim', boat: boat.id})}, 'Take ' + boat.id + ' by hand')]));
+        ? element('small', {}, boat.driver + (isMe ? ' drives it on another screen.' : ' drives it.'))
+        : element('button', {onclick: () => this.claim(boat.id)}, 'Take ' + boat.id + ' by hand')]));
     }
     return this.root;
+  }
+
+  async claim(boat: string) {
+    const socket = this.link.socket;
+    const reply = await this.page.command({t: 'claim', boat});
+    if (reply.t === 'done') {
+      this.claimed.set(boat, socket);
+    }
   }
 
   controls(boat: string) {

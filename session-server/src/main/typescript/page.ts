@@ -38,6 +38,7 @@ const actions: panels.Actions = {
   command: async (command: Command) => {
     const reply = await link.ask(command);
     say([reply.text, ...((reply.t === 'done' && reply.warnings) || [])].filter(Boolean).join(' ') || 'Done', reply.t === 'refused');
+    return reply;
   },
   select: (boat: string) => {
     selected = selected === boat ? null : boat;

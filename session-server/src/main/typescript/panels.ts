@@ -4,12 +4,12 @@ import {duration, element, hold} from './dom.js';
 import {phases} from './phases.js';
 import {readingsOf} from './readings.js';
 import type {Link} from './link.js';
-import type {BoatRow, ButtonRow, CallingDecision, Command, DecisionRow, MessageRow, MissionRow} from './protocol.js';
+import type {BoatRow, ButtonRow, CallingDecision, Command, DecisionRow, MessageRow, MissionRow, Reply} from './protocol.js';
 
 /** What a list asks of the page. */
 export interface Actions {
   open(decision: DecisionRow): void;
-  command(command: Command): void;
+  command(command: Command): Promise<Reply>;
   select(boat: string): void;
   selected(): string | null;
   /** Whether a decision draws attention: nobody here has opened it. */

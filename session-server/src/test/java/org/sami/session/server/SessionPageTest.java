@@ -134,6 +134,24 @@ class SessionPageTest {
     }
 
     @Test
+    void boatThatTheSamePersonDrivesOnAnotherScreenHasNoStickHere() throws Exception {
+        try (MeasuringBoat boat = new MeasuringBoat()) {
+            boat.join(session);
+            page.join();
+            browser.click("#tabs button:nth-child(2)");
+            browser.until("document.querySelector('#panel button.row') !== null");
+            browser.click("#panel button.row");
+            browser.until("document.querySelector('.by-hand button') !== null");
+
+            TestFront other = TestFront.loggedIn(page.server, "anna", "key of anna");
+            other.send("{\"t\":\"claim\",\"id\":1,\"boat\":\"bella\"}");
+
+            assertThat(other.reply(1).path("t").asText()).isEqualTo("done");
+            browser.until("document.querySelector('.by-hand').textContent === 'anna drives it on another screen.'");
+        }
+    }
+
+    @Test
     void missionThatIsShownAddsNoListenersToTheWindow() throws Exception {
         page.join();
         page.start("station-keep");
