@@ -16,6 +16,8 @@ export class Bases {
   kept: Kept;
   own: string;
   all: string[];
+  /** They do not know this person. */
+  leftOut: Set<string>;
   at: number;
   held: string;
   epoch: number;
@@ -28,6 +30,7 @@ export class Bases {
     const own = (place.protocol === 'https:' ? 'wss://' : 'ws://') + place.host;
     this.own = own; // from which the page has come
     this.all = [own];
+    this.leftOut = new Set();
     this.at = 0;
     this.held = own; // by this one, as far as is known here
     this.epoch = 0;
@@ -36,10 +39,10 @@ export class Bases {
     this.take(JSON.parse(kept.getItem(KEPT) ?? '[]'));
   }
 
-  /** The base that served this page and the one at hand stay; others are those that are named now. */
+  /** The base that served this page and the one at hand stay; others are those that are named now and were not left out. */
   take(addresses: string[]) {
     const current = this.current();
-    this.all = [...new Set([this.all[0], current, ...addresses])];
+    this.all = [...new Set([this.all[0], current, ...addresses.filter((one) => !this.leftOut.has(one))])];
     this.at = this.all.indexOf(current);
   }
 
@@ -127,11 +130,17 @@ export class Bases {
     return this.isElsewhere() ? this.held.replace(/^ws/, 'http') + '/' : '';
   }
 
-  /** Never tries the base at hand again; false where there is no other. */
+  /** Another person joins, whom other bases may know. */
+  leaveOutNone() {
+    this.leftOut.clear();
+  }
+
+  /** Never tries the base at hand again for this person; false where there is no other. */
   leaveOut() {
     if (!this.areSeveral()) {
       return false;
     }
+    this.leftOut.add(this.current());
     this.all.splice(this.at, 1);
     this.at = (this.at + this.all.length - 1) % this.all.length; // the next is tried next
     return true;

@@ -58,6 +58,7 @@ export class Link {
   join(name: string, key: string) {
     this.name = name;
     this.key = key;
+    this.bases.leaveOutNone();
     this.connect();
   }
 
@@ -206,6 +207,7 @@ export class Link {
   leave(why: string) {
     this.name = undefined;
     this.key = undefined;
+    this.welcome = null; // so that a wrong key at the next login is said there, and leaves out no base
     this.tables.clear();
     this.listener.refused(why);
   }
