@@ -216,6 +216,9 @@ function refresh(always = false) {
   followDecisions();
   chart.show(link, selected);
   readings?.show(form?.layer() ?? null);
+  if (!link.isOpen) {
+    pictures.stop();
+  }
   pictures.draw();
   const chosen = selected === null ? null : link.row('boats', selected);
   if (chosen && !isPressed()) {

@@ -9,6 +9,7 @@ export type Picture = PictureOfPanorama & {row: PicturesRow};
 const MOST_KEPT = 80;
 const MOST_SHOWN = 6; // in a list
 const AGAIN_MS = 5000;
+const LONGEST_MS = 120000; // of one that comes, after which the next is fetched
 
 export class Pictures {
   link: Link;
@@ -18,6 +19,8 @@ export class Pictures {
   failedAt: Map<string, number>;
   waiting: Set<string>;
   chain: Promise<void>;
+  /** Ends the one that comes. */
+  coming: AbortController | null;
   open: Picture[];
   at: number;
 
@@ -29,6 +32,7 @@ export class Pictures {
     this.failedAt = new Map();
     this.waiting = new Set();
     this.chain = Promise.resolve();
+    this.coming = null;
     this.open = [];
     this.at = 0;
     document.addEventListener('keydown', (event) => this.key(event));
@@ -83,8 +87,11 @@ export class Pictures {
 
   /** One after the other, as they share the way with what is more urgent. */
   async fetch(asked: string) {
+    const coming = new AbortController();
+    this.coming = coming;
+    const tooLong = window.setTimeout(() => coming.abort(), LONGEST_MS);
     try {
-      const answer = await fetch(this.link.bases.web() + 'picture?' + asked, {headers: {Authorization: 'Bearer ' + this.link.welcome?.ticket}, cache: 'no-store'});
+      const answer = await fetch(this.link.bases.web() + 'picture?' + asked, {headers: {Authorization: 'Bearer ' + this.link.welcome?.ticket}, cache: 'no-store', signal: coming.signal});
       if (!answer.ok) {
         throw new Error(String(answer.status));
       }
@@ -97,9 +104,16 @@ export class Pictures {
     } catch {
       this.failedAt.set(asked, Date.now());
     }
+    clearTimeout(tooLong);
+    this.coming = null;
     this.waiting.delete(asked);
     this.loaded();
     this.draw();
+  }
+
+  /** The link is lost: what was to come from there may never end, and others wait behind it. */
+  stop() {
+    this.coming?.abort();
   }
 
   /** Shows one large. */
