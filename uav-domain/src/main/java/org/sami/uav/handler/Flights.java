@@ -51,16 +51,26 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
     private final Executor fleet;
     private final List<Waiting> waiting = new ArrayList<>();
 
-    /** A flight that waits; of an end place, whose mission is over, where nothing stands any longer. */
+    /**
+     * A flight that waits.
+     *
+     * @param ofEndPlace whether its mission is over, where nothing stands any longer
+     * @param isPlaced whether the aircraft has said where it is, and something else is not known
+     */
     private record Waiting(
             Activation activation,
             HandlerContext context,
             Addressee aircraft,
             BiFunction<Addressee, GeoPoint, Flight> flight,
             Reply reply,
-            boolean ofEndPlace) {
+            boolean ofEndPlace,
+            boolean isPlaced) {
         boolean stands() {
             return ofEndPlace || aircraft.stands(activation, context);
+        }
+
+        boolean isDue(GeoPoint here) {
+            return !isPlaced || flight.apply(aircraft, here).unknown().isEmpty();
         }
     }
 
@@ -75,9 +85,9 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
         return robots.find(aircraft).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
     }
 
-    /** Where it took off, on the ground; its present position if that is not known. */
+    /** Where it took off, on the ground; empty for one that has not said it, as one that this base met in the air. */
     Optional<GeoPoint> home(String aircraft) {
-        return robots.find(aircraft).flatMap(BoatProxy::home).or(() -> position(aircraft));
+        return robots.find(aircraft).flatMap(BoatProxy::home);
     }
 
     /** Whether it is in the air. */
@@ -115,10 +125,26 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
      *
      * @param points along which it flies; empty where it is not known where the aircraft is, or where the flight begins in the air and it is not there
      * @param isRemembered whether the mission remembers how far it came; without points there is nothing to do then
+     * @param unknown what is not known of where it is to fly: it stays where it is in the air; empty where all is known
      */
-    record Flight(Addressee aircraft, List<GeoPoint> points, double speedMps, boolean isRemembered) {
+    record Flight(
+            Addressee aircraft,
+            List<GeoPoint> points,
+            double speedMps,
+            boolean isRemembered,
+            Optional<String> unknown) {
         Flight {
             points = List.copyOf(points);
+        }
+
+        /** Along points that are known. */
+        Flight(Addressee aircraft, List<GeoPoint> points, double speedMps, boolean isRemembered) {
+            this(aircraft, points, speedMps, isRemembered, Optional.empty());
+        }
+
+        /** Not known yet. Only of commands whose failure is no answer, as the flight comes later. */
+        static Flight unknown(Addressee aircraft, String why) {
+            return new Flight(aircraft, List.of(), SPEED_MPS, false, Optional.of(why));
         }
     }
 
@@ -130,6 +156,11 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
             Optional<String> reason = refusal(flight);
             if (reason.isPresent()) {
                 motion.refuse(activation, context, flight.aircraft(), reply, reason.get());
+                boolean stays = flight.unknown().isPresent()
+                        && !context.redelivered(); // after a restart it may be on its way there
+                if (stays) {
+                    moves.add(HoverHandler.stay(activation, flight.aircraft(), Reply.NONE, "-stay"));
+                }
             } else {
                 moves.add(move(activation, context, flight, reply, ""));
             }
@@ -137,7 +168,10 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
         motion.send(activation, context, moves);
     }
 
-    /** Sends flights that follow from where the aircraft are. One that has not said it yet, but is known, gets its flight when it has. */
+    /**
+     * Sends flights that follow from where the aircraft are. One that has not said it yet, but is known, gets its flight when it has, and so does one of which
+     * something else is not known; the operator is told of that.
+     */
     void sendFromHere(
             Activation activation,
             HandlerContext context,
@@ -147,19 +181,25 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
         boolean ofEndPlace =
                 !context.query(view -> view.mission(activation.mission()).isPresent());
         List<Flight> now = new ArrayList<>();
+        List<Waiting> later = new ArrayList<>();
         for (Addressee aircraft : all) {
             Optional<GeoPoint> here = position(aircraft.boat());
             if (here.isEmpty() && robots.find(aircraft.boat()).isPresent()) {
                 if (!motion.isTakenBack(activation.id(), aircraft.boat())) {
                     replaceWaiting(activation, aircraft);
-                    waiting.add(new Waiting(activation, context, aircraft, flight, reply, ofEndPlace));
+                    waiting.add(new Waiting(activation, context, aircraft, flight, reply, ofEndPlace, false));
                 }
             } else {
-                now.add(here.map(at -> flight.apply(aircraft, at))
-                        .orElseGet(() -> new Flight(aircraft, List.of(), SPEED_MPS, false)));
+                Flight one = here.map(at -> flight.apply(aircraft, at))
+                        .orElseGet(() -> new Flight(aircraft, List.of(), SPEED_MPS, false));
+                now.add(one);
+                if (one.unknown().isPresent() && !motion.isTakenBack(activation.id(), aircraft.boat())) {
+                    later.add(new Waiting(activation, context, aircraft, flight, reply, ofEndPlace, true));
+                }
             }
         }
         send(activation, context, now, reply);
+        waiting.addAll(later);
     }
 
     /** What a mission asks of an aircraft replaces what it asked before, as with commands. */
@@ -188,16 +228,16 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
     public void accept(FleetEvent event) {
         if (event instanceof FleetEvent.StatusReported reported) {
             String aircraft = reported.status().boatId();
-            if (position(aircraft).isPresent()) {
+            position(aircraft).ifPresent(here -> {
                 List<Waiting> due = waiting.stream()
-                        .filter(one -> one.aircraft.boat().equals(aircraft))
+                        .filter(one -> one.aircraft.boat().equals(aircraft) && one.isDue(here))
                         .toList();
                 waiting.removeAll(due);
                 due.stream()
                         .filter(Waiting::stands)
                         .forEach(one -> sendFromHere(
                                 one.activation, one.context, List.of(one.aircraft), one.flight, one.reply));
-            }
+            });
         }
     }
 
@@ -207,6 +247,8 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
         boolean isPlaced = position(aircraft).isPresent();
         if (isPlaced && !robots.find(aircraft).map(BoatProxy::isFlying).orElse(true)) {
             return Optional.of(aircraft + " does not fly");
+        } else if (flight.unknown().isPresent()) {
+            return flight.unknown();
         } else if (flight.points().isEmpty() && !flight.isRemembered()) {
             return Optional.of(isPlaced ? "it is not in the air" : "it has not said yet where it is");
         }

@@ -15,6 +15,7 @@ import org.sami.spn.protocol.Activation;
 /** Hover and Look Around: each aircraft stays where it is in the air, and for the latter turns all round and takes pictures. */
 final class HoverHandler implements ActivationHandler {
     private static final int PICTURES = 8; // of a lens of 70 degrees: enough to overlap
+    private static final Reply HOVERING = new Reply(UavEvents.HOVERING, "", "", true);
 
     private final MotionCommands motion;
     private final boolean looks;
@@ -35,19 +36,24 @@ final class HoverHandler implements ActivationHandler {
     @Override
     public void handle(Activation activation, HandlerContext context) {
         List<Move> moves = Addressee.of(activation, context).stream()
-                .map(aircraft -> looks ? look(activation, aircraft) : stay(activation, aircraft))
+                .map(aircraft -> looks ? look(activation, aircraft) : stay(activation, aircraft, HOVERING, ""))
                 .toList();
         motion.send(activation, context, moves);
     }
 
-    private static Move stay(Activation activation, Addressee aircraft) {
+    /**
+     * Has an aircraft stay where it is.
+     *
+     * @param suffix of the command's id, where the activation gives it another command too
+     */
+    static Move stay(Activation activation, Addressee aircraft, Reply reply, String suffix) {
         Stop stop = new Stop(
-                Move.commandId(activation, aircraft),
+                Move.commandId(activation, aircraft) + suffix,
                 activation.mission(),
                 activation.id(),
                 activation.priority(),
                 false);
-        return new Move(aircraft, stop, Optional.empty(), new Reply(UavEvents.HOVERING, "", "", true));
+        return new Move(aircraft, stop, Optional.empty(), reply);
     }
 
     private static Move look(Activation activation, Addressee aircraft) {

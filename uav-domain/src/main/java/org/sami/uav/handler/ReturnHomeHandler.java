@@ -9,9 +9,14 @@ import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.value.GeoPoint;
 
-/** Return Home: each aircraft flies to where it took off, at its altitude but not below {@link #LEAST_M}, and lands there. One on the ground lands there. */
+/**
+ * Return Home: each aircraft flies to where it took off, at its altitude but not below {@link #LEAST_M}, and lands there. One on the ground lands there.
+ * One in the air that has not said where it took off stays in the air until it has, and the operator is told: below it may be water.
+ */
 final class ReturnHomeHandler implements ActivationHandler {
     private static final double LEAST_M = 15; // above trees and masts
+    private static final String NO_HOME =
+            "it has not said where it took off, and flies there once it has; until then, send it where it can land";
 
     private final Flights flights;
 
@@ -26,20 +31,26 @@ final class ReturnHomeHandler implements ActivationHandler {
                 activation,
                 context,
                 Addressee.of(activation, context),
-                (aircraft, here) -> new Flights.Flight(aircraft, way(aircraft.boat(), here), speedMps, false),
+                (aircraft, here) -> flight(aircraft, here, speedMps),
                 Reply.way(UavEvents.LANDED, ""));
     }
 
-    private List<GeoPoint> way(String aircraft, GeoPoint here) {
-        if (!flights.isAirborne(aircraft)) {
-            return List.of(Flights.at(here, 0)); // a command too, as one to take off may be under way
+    private Flights.Flight flight(Addressee aircraft, GeoPoint here, double speedMps) {
+        if (!flights.isAirborne(aircraft.boat())) {
+            List<GeoPoint> down = List.of(Flights.at(here, 0)); // a command too, as one to take off may be under way
+            return new Flights.Flight(aircraft, down, speedMps, false);
         }
+        return flights.home(aircraft.boat())
+                .map(home -> new Flights.Flight(aircraft, way(here, home), speedMps, false))
+                .orElseGet(() -> Flights.Flight.unknown(aircraft, NO_HOME));
+    }
+
+    private static List<GeoPoint> way(GeoPoint here, GeoPoint home) {
         List<GeoPoint> way = new ArrayList<>();
         double altM = Math.max(here.altM(), LEAST_M);
         if (altM > here.altM()) {
             way.add(Flights.at(here, altM));
         }
-        GeoPoint home = flights.home(aircraft).orElse(here);
         way.add(Flights.at(home, altM));
         way.add(Flights.at(home, 0));
         return way;

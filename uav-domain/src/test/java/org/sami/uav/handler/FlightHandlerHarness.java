@@ -10,6 +10,11 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import org.sami.boat.link.Frame;
+import org.sami.boat.link.Gains;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.boat.link.SettingsReport;
+import org.sami.boat.link.Waypoint;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.fleet.publishing.FleetEvents;
 import org.sami.crw.handler.motion.BoatErrors;
@@ -26,6 +31,7 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.engine.MissionView;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
+import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
@@ -33,6 +39,7 @@ import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Token;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.TaskId;
 import org.sami.spn.value.Value;
 
@@ -131,11 +138,23 @@ final class FlightHandlerHarness implements HandlerContext {
 
     /** The mission takes back what it asked of copters; of all, where none is named. */
     void withdraw(String... copters) {
-        Effect effect = new Effect.CommandsWithdrawn(1, List.of(copters));
+        step(flights, new Input.TimeReached(), new Effect.CommandsWithdrawn(1, List.of(copters)));
+    }
+
+    /** The engine makes a step. */
+    void step(HostListener listener, Input input, Effect... effects) {
         query(view -> {
-            flights.onStep(1, clock.nowMs(), new Input.TimeReached(), List.of(effect), view);
+            listener.onStep(1, clock.nowMs(), input, List.of(effects), view);
             return true;
         });
+    }
+
+    /** A copter reports where it took off; that it does not know it, where that is empty. */
+    void reportHome(String copter, Optional<GeoPoint> home) {
+        Gains none = new Gains(0, 0, 0);
+        Optional<Waypoint> place = home.map(at -> new Waypoint(at.latDeg(), at.lonDeg(), Flights.SPEED_MPS));
+        SettingsReport report = new SettingsReport(none, none, 1, LostLinkAction.HOLD, place, Optional.empty());
+        proxy(copter).receive(new Frame(1, "", report), clock.nowMs());
     }
 
     /** What was answered, in order. */

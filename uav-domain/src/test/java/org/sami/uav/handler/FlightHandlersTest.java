@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.proxy.command.FollowPath;
@@ -21,6 +22,7 @@ import org.sami.spn.value.Value;
 
 class FlightHandlersTest {
     private static final GeoPoint POST = GeoPoint.of(45.7005, 10.7205);
+    private static final GeoPoint FAR = GeoPoint.of(45.71, 10.72);
     private static final Map<String, Value> UP = Map.of("altitude", new RealValue(20));
 
     private static FlightHandlerHarness harness(int copters) {
@@ -49,6 +51,33 @@ class FlightHandlersTest {
         assertThat(harness.answered()).contains(UavEvents.LANDED).doesNotContain(UavEvents.AIRBORNE);
         assertThat(harness.altM("copter1")).isZero();
         assertThat(harness.proxy("copter1").isAtRest()).isTrue();
+    }
+
+    @Test
+    void returnHomeWaitsInTheAirUntilTheHomeIsKnown() {
+        FlightHandlerHarness harness = harness(1);
+        takeOff(harness, "copter1");
+        harness.pass(60);
+        GeoPoint home = harness.proxy("copter1").home().orElseThrow();
+        harness.reportHome("copter1", Optional.empty());
+        harness.activate(flyTo(harness), Map.of("location", FAR), "copter1");
+        harness.pass(5);
+        GeoPoint asked = harness.flights.position("copter1").orElseThrow();
+        harness.activate(new ReturnHomeHandler(harness.flights), Map.of(), "copter1");
+        harness.pass(60);
+
+        assertThat(harness.answered()).containsExactly(UavEvents.AIRBORNE);
+        assertThat(harness.altM("copter1")).isGreaterThan(19);
+        assertThat(Geodesy.distanceM(asked, harness.flights.position("copter1").orElseThrow()))
+                .isLessThan(30);
+        assertThat(harness.messages).singleElement().asString().contains("it has not said where it took off");
+
+        harness.reportHome("copter1", Optional.of(home));
+        harness.pass(120);
+        assertThat(harness.answered()).containsExactly(UavEvents.AIRBORNE, UavEvents.LANDED);
+        assertThat(Geodesy.distanceM(home, harness.flights.position("copter1").orElseThrow()))
+                .isLessThan(3);
+        assertThat(harness.messages).hasSize(1);
     }
 
     @Test
