@@ -37,10 +37,13 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener {
     private final Executor fleet;
     private final Set<String> keeping;
     private final Map<String, Deque<Waiting>> waiting = new HashMap<>(); // by aircraft
-    private final Map<String, TaskId> flown = new HashMap<>(); // by aircraft: the task of its last flight
+    private final Map<String, Flown> flown = new HashMap<>(); // by aircraft: its last flight
     private final Map<String, TaskId> arrived = new HashMap<>(); // by aircraft: the task whose answer is under way
 
     private record Waiting(Activation activation, HandlerContext context, Flights.Flight flight) {}
+
+    /** A flight under way, or over. */
+    private record Flown(TaskId task, String commandId) {}
 
     /**
      * No flights yet.
@@ -79,8 +82,8 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener {
                 motion.refuse(next.activation, next.context, next.flight.aircraft(), REPLY, reason.get());
             } else if (next.flight.aircraft().stands(next.activation, next.context)) {
                 TaskId task = next.flight.aircraft().tasks().get(0);
-                flown.put(aircraft, task);
                 Move move = Flights.move(next.activation, next.context, next.flight, REPLY, "-" + task.name());
+                flown.put(aircraft, new Flown(task, move.command().commandId()));
                 motion.send(next.activation, next.context, List.of(move));
                 return;
             }
@@ -108,7 +111,9 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener {
     @Override
     public void accept(FleetEvent event) {
         if (event instanceof FleetEvent.CommandCompleted done && waiting.containsKey(done.boat())) {
-            Optional.ofNullable(flown.get(done.boat())).ifPresent(task -> arrived.put(done.boat(), task));
+            Optional.ofNullable(flown.get(done.boat()))
+                    .filter(flight -> flight.commandId().equals(done.command().commandId())) // others answer no task
+                    .ifPresent(flight -> arrived.put(done.boat(), flight.task()));
         }
     }
 

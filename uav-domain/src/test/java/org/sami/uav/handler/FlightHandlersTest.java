@@ -8,8 +8,10 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.Geodesy;
+import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
@@ -160,6 +162,35 @@ class FlightHandlersTest {
         harness.pass(60);
 
         assertThat(harness.altM("copter1")).isZero();
+    }
+
+    @Test
+    void nextTaskIsFlownAfterAnotherCommandOfTheAircraft() {
+        FlightHandlerHarness harness = harness(1);
+        TaskFlights flights =
+                new TaskFlights(harness.fleet.proxies(), harness.flights, harness.motion, Runnable::run, Set.of());
+        harness.listen(flights);
+        List<TaskId> tasks = List.of(new TaskId(1, "T1"), new TaskId(1, "T2"));
+        harness.activate(
+                (activation, context) -> {
+                    for (TaskId task : tasks) {
+                        Addressee one = new Addressee("copter1", false, List.of(task));
+                        List<GeoPoint> to = List.of(Flights.at(task.name().equals("T1") ? FAR : POST, 20));
+                        flights.add(activation, context, new Flights.Flight(one, to, Flights.SPEED_MPS, false));
+                    }
+                    flights.startWaiting();
+                },
+                Map.of(),
+                tasks.stream().<Token>map(Token.Task::new).toList());
+        harness.pass(10);
+        harness.activate(HoverHandler.staying(harness.motion), Map.of(), "copter1");
+        harness.pass(10);
+        assertThat(harness.answered()).containsExactly(UavEvents.HOVERING);
+        harness.step(flights, new Input.Received(harness.answers.get(0)));
+        harness.pass(60);
+
+        assertThat(harness.answered()).containsExactly(UavEvents.HOVERING, UavEvents.REACHED_LOCATION);
+        assertThat(harness.answers.get(1).tasks()).containsExactly(tasks.get(1));
     }
 
     @Test
