@@ -13,6 +13,7 @@ import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Token;
+import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.ProxyValue;
@@ -80,6 +81,29 @@ class FlightHandlersTest {
         assertThat(Geodesy.distanceM(home, harness.flights.position("copter1").orElseThrow()))
                 .isLessThan(3);
         assertThat(harness.messages).hasSize(1);
+    }
+
+    @Test
+    void returnHomeOutOfANoGoAreaIsFlownWithoutAQuestion() {
+        FlightHandlerHarness harness = harness(1);
+        takeOff(harness, "copter1");
+        harness.pass(60);
+        harness.activate(flyTo(harness), Map.of("location", Flights.at(POST, 8)), "copter1");
+        harness.pass(60);
+        GeoPoint here = harness.flights.position("copter1").orElseThrow();
+        GeoArea around = new GeoArea(
+                List.of(
+                        Geodesy.offset(here, -20, -20),
+                        Geodesy.offset(here, 20, -20),
+                        Geodesy.offset(here, 20, 20),
+                        Geodesy.offset(here, -20, 20)),
+                List.of());
+        harness.activate(
+                new ReturnHomeHandler(harness.flights), Map.of("avoid", new ListValue(List.of(around))), "copter1");
+        harness.pass(90);
+
+        assertThat(harness.answered())
+                .containsExactly(UavEvents.AIRBORNE, UavEvents.REACHED_LOCATION, UavEvents.LANDED);
     }
 
     @Test

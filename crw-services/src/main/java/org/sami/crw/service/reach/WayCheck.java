@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.water.Water;
@@ -15,6 +16,9 @@ public final class WayCheck {
     /** A point farther from the boat than this, in metres, is nowhere that a boat of the fleet comes back from. */
     public static final double FAR_M = 5_000;
 
+    /** A point nearer to the robot than this, in metres, is where it is. */
+    private static final double HERE_M = 0.5;
+
     private WayCheck() {}
 
     /** What is wrong; empty where nothing is, or where the boat's position is not known. */
@@ -24,7 +28,7 @@ public final class WayCheck {
         }
         GeoPoint from = way.from().get();
         return far(way, from)
-                .or(() -> onLand(way))
+                .or(() -> onLand(way, from))
                 .or(() -> noWayAround(way, from))
                 .or(() -> beyondCharge(way, from));
     }
@@ -53,9 +57,10 @@ public final class WayCheck {
                 : "";
     }
 
-    private static Optional<WayDoubt> onLand(Way way) {
+    private static Optional<WayDoubt> onLand(Way way, GeoPoint from) {
+        int first = firstElsewhere(way.points(), from);
         for (GeoArea area : way.avoid()) {
-            for (int i = 0; i < way.points().size(); i++) {
+            for (int i = first; i < way.points().size(); i++) {
                 GeoPoint point = way.points().get(i);
                 Water around = Water.of(point, List.of(area), Optional.empty());
                 if (around.clearanceM(point) == 0) {
@@ -70,6 +75,14 @@ public final class WayCheck {
             }
         }
         return Optional.empty();
+    }
+
+    /** The first point at which a way leaves where the robot is, as an aircraft does that climbs before it goes; 0 where it goes nowhere else. */
+    private static int firstElsewhere(List<GeoPoint> points, GeoPoint from) {
+        return IntStream.range(0, points.size())
+                .filter(i -> Geodesy.distanceM(from, points.get(i)) > HERE_M)
+                .findFirst()
+                .orElse(0);
     }
 
     /** A leg that leads through what is to be avoided, and around it there is no way; a boat that is in it may leave it. */

@@ -54,6 +54,17 @@ class WayCheckTest {
     }
 
     @Test
+    void whoIsInsideMayClimbThereAndLeave() {
+        GeoArea around = new GeoArea(List.of(at(-50, -50), at(50, -50), at(50, 50), at(-50, 50)), List.of());
+        GeoPoint up = new GeoPoint(HERE.latDeg(), HERE.lonDeg(), 15);
+
+        assertThat(doubt(100, List.of(around), up, at(200, 0))).isEmpty();
+        assertThat(doubt(100, List.of(around), up, at(20, 0), at(200, 0)))
+                .hasValueSatisfying(doubt -> assertThat(doubt.words()).contains("point 2 of its way"));
+        assertThat(doubt(100, List.of(around), up)).as("it stays there").isPresent();
+    }
+
+    @Test
     void wayThatIsLongerThanTheChargeLastsIsDoubted() {
         assertThat(doubt(20, List.of(), at(630, 0))).isEmpty();
         assertThat(doubt(20, List.of(), at(330, 0), at(0, 0))) // 700 m on the average
