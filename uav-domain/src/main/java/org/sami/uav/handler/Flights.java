@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Executor;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.sami.crw.event.Numbers;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.Addressee;
@@ -106,8 +107,13 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
      */
     List<GeoPoint> raised(String aircraft, List<GeoPoint> points, double altM) {
         double layerM = Math.min(CEILING_M, altM + layer(aircraft) * LAYER_M);
+        return lifted(points, Math.max(altM, layerM));
+    }
+
+    /** Points of which those on the ground get an altitude. */
+    static List<GeoPoint> lifted(List<GeoPoint> points, double altM) {
         return points.stream()
-                .map(point -> point.altM() == 0 ? at(point, Math.max(altM, layerM)) : point)
+                .map(point -> point.altM() == 0 ? at(point, altM) : point)
                 .toList();
     }
 
@@ -124,27 +130,33 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
      * One aircraft's flight.
      *
      * @param points along which it flies; empty where it is not known where the aircraft is, or where the flight begins in the air and it is not there
-     * @param isRemembered whether the mission remembers how far it came; without points there is nothing to do then
+     * @param remembered the path, at the altitudes at which the plan wants it, of which the mission remembers how far it came; without points there is
+     *     nothing to do then. Empty where the mission remembers nothing
      * @param unknown what is not known of where it is to fly: it stays where it is in the air; empty where all is known
      */
     record Flight(
             Addressee aircraft,
             List<GeoPoint> points,
             double speedMps,
-            boolean isRemembered,
+            Optional<GeoPath> remembered,
             Optional<String> unknown) {
         Flight {
             points = List.copyOf(points);
         }
 
-        /** Along points that are known. */
-        Flight(Addressee aircraft, List<GeoPoint> points, double speedMps, boolean isRemembered) {
-            this(aircraft, points, speedMps, isRemembered, Optional.empty());
+        /** Along points that are known, of which nothing is remembered. */
+        Flight(Addressee aircraft, List<GeoPoint> points, double speedMps) {
+            this(aircraft, points, speedMps, Optional.empty(), Optional.empty());
+        }
+
+        /** The same, of which the mission remembers how far it came. */
+        static Flight remembered(Addressee aircraft, List<GeoPoint> points, double speedMps, List<GeoPoint> asked) {
+            return new Flight(aircraft, points, speedMps, Optional.of(new GeoPath(asked)), Optional.empty());
         }
 
         /** Not known yet. Only of commands whose failure is no answer, as the flight comes later. */
         static Flight unknown(Addressee aircraft, String why) {
-            return new Flight(aircraft, List.of(), SPEED_MPS, false, Optional.of(why));
+            return new Flight(aircraft, List.of(), SPEED_MPS, Optional.empty(), Optional.of(why));
         }
     }
 
@@ -191,7 +203,7 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
                 }
             } else {
                 Flight one = here.map(at -> flight.apply(aircraft, at))
-                        .orElseGet(() -> new Flight(aircraft, List.of(), SPEED_MPS, false));
+                        .orElseGet(() -> new Flight(aircraft, List.of(), SPEED_MPS));
                 now.add(one);
                 if (one.unknown().isPresent() && !motion.isTakenBack(activation.id(), aircraft.boat())) {
                     later.add(new Waiting(activation, context, aircraft, flight, reply, ofEndPlace, true));
@@ -249,7 +261,7 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
             return Optional.of(aircraft + " does not fly");
         } else if (flight.unknown().isPresent()) {
             return flight.unknown();
-        } else if (flight.points().isEmpty() && !flight.isRemembered()) {
+        } else if (flight.points().isEmpty() && flight.remembered().isEmpty()) {
             return Optional.of(isPlaced ? "it is not in the air" : "it has not said yet where it is");
         }
         return flight.points().stream()
@@ -266,11 +278,11 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
      * @param suffix of its id, where one activation gives an aircraft several commands
      */
     static Move move(Activation activation, HandlerContext context, Flight flight, Reply reply, String suffix) {
-        String key = PathProgress.key(flight.aircraft().boat(), new GeoPath(flight.points()));
-        int visited = flight.isRemembered()
-                ? PathProgress.visited(
-                        context, activation.mission(), key, flight.points().size())
-                : 0;
+        String aircraft = flight.aircraft().boat();
+        Optional<String> key = flight.remembered().map(path -> PathProgress.flightKey(aircraft, path));
+        int visited = flight.remembered()
+                .map(path -> visited(activation, context, aircraft, path))
+                .orElse(0);
         FollowPath command = new FollowPath(
                 Move.commandId(activation, flight.aircraft()) + suffix,
                 activation.mission(),
@@ -280,10 +292,15 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
                 visited,
                 activation.priority(),
                 false);
-        return new Move(
-                flight.aircraft(),
-                command,
-                flight.isRemembered() ? Optional.of(new PathProgress.Along(key, 0)) : Optional.empty(),
-                reply);
+        return new Move(flight.aircraft(), command, key.map(one -> new PathProgress.Along(one, 0)), reply);
+    }
+
+    /** Also where an earlier version remembered it, which left the altitudes out. */
+    private static int visited(Activation activation, HandlerContext context, String aircraft, GeoPath path) {
+        return Stream.of(PathProgress.flightKey(aircraft, path), PathProgress.key(aircraft, path))
+                .mapToInt(key -> PathProgress.visited(
+                        context, activation.mission(), key, path.points().size()))
+                .max()
+                .orElse(0);
     }
 }

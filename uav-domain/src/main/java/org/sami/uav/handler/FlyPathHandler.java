@@ -30,8 +30,12 @@ final class FlyPathHandler implements ActivationHandler {
         double speedMps = Flights.number(activation, "speed", Flights.SPEED_MPS);
         List<Flights.Flight> all = new ArrayList<>();
         for (Addressee aircraft : Addressee.of(activation, context)) {
-            all.add(new Flights.Flight(
-                    aircraft, flights.raised(aircraft.boat(), path(activation, aircraft), altM), speedMps, true));
+            List<GeoPoint> path = path(activation, aircraft);
+            all.add(Flights.Flight.remembered(
+                    aircraft,
+                    flights.raised(aircraft.boat(), path, altM),
+                    speedMps,
+                    Flights.lifted(path, altM))); // without the aircraft's layer, which may be another after a restart
         }
         flights.send(activation, context, all, Reply.way(UavEvents.PATH_FLOWN, UavEvents.CANNOT_FLY));
     }

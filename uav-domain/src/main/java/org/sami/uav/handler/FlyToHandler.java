@@ -49,6 +49,6 @@ final class FlyToHandler implements ActivationHandler {
         GeoPoint to = ActivationFields.point(location, "location");
         double altM = Flights.number(activation, "altitude", Flights.ALTITUDE_M);
         double speedMps = Flights.number(activation, "speed", Flights.SPEED_MPS);
-        return new Flights.Flight(aircraft, flights.raised(aircraft.boat(), List.of(to), altM), speedMps, false);
+        return new Flights.Flight(aircraft, flights.raised(aircraft.boat(), List.of(to), altM), speedMps);
     }
 }

@@ -105,7 +105,7 @@ final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, Ho
         following.seen.put(one.boat(), leader);
         double altM = Flights.number(following.activation, "altitude", Flights.ALTITUDE_M);
         List<GeoPoint> to = flights.raised(one.boat(), List.of(behind(following.activation, here, leader)), altM);
-        Flights.Flight flight = new Flights.Flight(one, to, Flights.SPEED_MPS, false);
+        Flights.Flight flight = new Flights.Flight(one, to, Flights.SPEED_MPS);
         Optional<String> reason = flights.refusal(flight);
         if (reason.isPresent()) {
             if (following.refused.add(one.boat())) {

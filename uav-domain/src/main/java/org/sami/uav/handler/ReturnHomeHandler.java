@@ -38,10 +38,10 @@ final class ReturnHomeHandler implements ActivationHandler {
     private Flights.Flight flight(Addressee aircraft, GeoPoint here, double speedMps) {
         if (!flights.isAirborne(aircraft.boat())) {
             List<GeoPoint> down = List.of(Flights.at(here, 0)); // a command too, as one to take off may be under way
-            return new Flights.Flight(aircraft, down, speedMps, false);
+            return new Flights.Flight(aircraft, down, speedMps);
         }
         return flights.home(aircraft.boat())
-                .map(home -> new Flights.Flight(aircraft, way(here, home), speedMps, false))
+                .map(home -> new Flights.Flight(aircraft, way(here, home), speedMps))
                 .orElseGet(() -> Flights.Flight.unknown(aircraft, NO_HOME));
     }
 

@@ -53,11 +53,11 @@ final class SearchAroundHandler implements ActivationHandler, Consumer<FleetEven
     private Flights.Flight begin(Search search) {
         String aircraft = search.aircraft.boat();
         if (!flights.isAirborne(aircraft)) {
-            return new Flights.Flight(search.aircraft, List.of(), SPEED_MPS, false);
+            return new Flights.Flight(search.aircraft, List.of(), SPEED_MPS);
         }
         sightings.begin(aircraft);
         byAircraft.put(aircraft, search);
-        return new Flights.Flight(search.aircraft, ring(search.middle, search.radiusM), SPEED_MPS, false);
+        return new Flights.Flight(search.aircraft, ring(search.middle, search.radiusM), SPEED_MPS);
     }
 
     /** Half the radius out, so that the camera sees the middle and the edge; and back to the middle. */

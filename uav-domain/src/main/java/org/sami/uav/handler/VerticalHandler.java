@@ -39,8 +39,7 @@ final class VerticalHandler implements ActivationHandler {
                 activation,
                 context,
                 Addressee.of(activation, context),
-                (aircraft, here) ->
-                        new Flights.Flight(aircraft, List.of(Flights.at(here, altM)), Flights.SPEED_MPS, false),
+                (aircraft, here) -> new Flights.Flight(aircraft, List.of(Flights.at(here, altM)), Flights.SPEED_MPS),
                 Reply.way(answer, down ? "" : UavEvents.CANNOT_FLY));
     }
 }

@@ -54,6 +54,7 @@ final class FlightHandlerHarness implements HandlerContext {
     final List<Occurrence> answers = new ArrayList<>();
     final List<String> messages = new ArrayList<>();
     final Map<TaskId, Map<String, Value>> tasks = new HashMap<>();
+    final Map<String, Value> memory = new HashMap<>(); // of the mission
     private final List<Consumer<FleetEvent>> listeners = new ArrayList<>();
     private final List<Token> standing = new ArrayList<>();
     private final List<Activation> given = new ArrayList<>();
@@ -164,9 +165,13 @@ final class FlightHandlerHarness implements HandlerContext {
 
     @Override
     public void post(List<Input> inputs) {
-        inputs.stream()
-                .filter(Input.Received.class::isInstance)
-                .forEach(input -> answers.add(((Input.Received) input).occurrence()));
+        for (Input input : inputs) {
+            if (input instanceof Input.Received received) {
+                answers.add(received.occurrence());
+            } else if (input instanceof Input.Remember remember) {
+                memory.put(remember.key(), remember.value());
+            }
+        }
     }
 
     @Override
@@ -178,6 +183,7 @@ final class FlightHandlerHarness implements HandlerContext {
                             Optional.of(mission()).filter(one -> !isOver && arguments[0].equals(one.id()));
                         case "awaits" -> true;
                         case "proxies" -> fleet.proxies().boatIds();
+                        case "memory" -> Optional.ofNullable(memory.get(arguments[1]));
                         case "task" -> Optional.ofNullable(tasks.get(arguments[0]));
                         case "openActivations" -> areOpen ? List.copyOf(given) : List.of();
                         default -> nothing(method.getReturnType());

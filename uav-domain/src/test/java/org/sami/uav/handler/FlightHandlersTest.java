@@ -8,13 +8,17 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.motion.PathProgress;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.GeoArea;
+import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.RealValue;
@@ -26,6 +30,7 @@ import org.sami.spn.value.Value;
 class FlightHandlersTest {
     private static final GeoPoint POST = GeoPoint.of(45.7005, 10.7205);
     private static final GeoPoint FAR = GeoPoint.of(45.71, 10.72);
+    private static final GeoPath PATH = new GeoPath(List.of(POST, GeoPoint.of(45.7003, 10.7202)));
     private static final Map<String, Value> UP = Map.of("altitude", new RealValue(20));
 
     private static FlightHandlerHarness harness(int copters) {
@@ -200,7 +205,7 @@ class FlightHandlersTest {
                     for (TaskId task : tasks) {
                         Addressee one = new Addressee("copter1", false, List.of(task));
                         List<GeoPoint> to = List.of(Flights.at(task.name().equals("T1") ? FAR : POST, 20));
-                        flights.add(activation, context, new Flights.Flight(one, to, Flights.SPEED_MPS, false));
+                        flights.add(activation, context, new Flights.Flight(one, to, Flights.SPEED_MPS));
                     }
                     flights.startWaiting();
                 },
@@ -215,6 +220,37 @@ class FlightHandlersTest {
 
         assertThat(harness.answered()).containsExactly(UavEvents.HOVERING, UavEvents.REACHED_LOCATION);
         assertThat(harness.answers.get(1).tasks()).containsExactly(tasks.get(1));
+    }
+
+    private static void flyPath(FlightHandlerHarness harness, double altM) {
+        Value paths = ProxyMaps.toValue(Map.of("copter1", PATH));
+        Map<String, Value> values = Map.of("paths", paths, "altitude", new RealValue(altM));
+        harness.activate(new FlyPathHandler(harness.flights), values, "copter1");
+    }
+
+    @Test
+    void pathAtAnotherAltitudeIsFlownAgain() {
+        FlightHandlerHarness harness = harness(1);
+        flyPath(harness, 30);
+        harness.pass(90);
+        assertThat(harness.answered()).containsExactly(UavEvents.PATH_FLOWN);
+        flyPath(harness, 60);
+        assertThat(harness.answered()).as("it is still to be flown").hasSize(1);
+        harness.pass(90);
+
+        assertThat(harness.answered()).containsExactly(UavEvents.PATH_FLOWN, UavEvents.PATH_FLOWN);
+        assertThat(harness.altM("copter1")).isGreaterThan(59);
+        flyPath(harness, 30);
+        assertThat(harness.answered()).as("it was flown before").hasSize(3);
+    }
+
+    @Test
+    void pathThatAnEarlierVersionRememberedIsNotFlownAgain() {
+        FlightHandlerHarness harness = harness(1);
+        harness.memory.put(PathProgress.key("copter1", PATH), new IntegerValue(2));
+        flyPath(harness, 30);
+
+        assertThat(harness.answered()).containsExactly(UavEvents.PATH_FLOWN);
     }
 
     @Test

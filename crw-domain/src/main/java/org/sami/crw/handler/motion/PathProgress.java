@@ -19,7 +19,7 @@ import org.sami.spn.value.Value;
 
 /**
  * How far boats are along paths, kept per mission, path and boat in the engine's journalled memory (docs/services.md). A path is known by its
- * points alone: the same points in another variable or activation are the same path.
+ * points alone: the same points in another variable or activation are the same path. At other altitudes an aircraft's path is another one.
  */
 public final class PathProgress {
     private static final int DIGEST_BYTES = 12;
@@ -45,6 +45,13 @@ public final class PathProgress {
         return "path/" + boat + "/" + digest(path.points());
     }
 
+    /** The same for an aircraft's path: the points have the altitudes at which the plan wants them. */
+    public static String flightKey(String aircraft, GeoPath path) {
+        ByteBuffer altitudes = ByteBuffer.allocate(path.points().size() * Double.BYTES);
+        path.points().forEach(point -> altitudes.putDouble(point.altM()));
+        return "flight/" + aircraft + "/" + digest(path.points()) + "/" + digest(altitudes.array());
+    }
+
     /** The key of a list that a boat goes through one by one. */
     static String listKey(String boat, List<GeoPoint> locations) {
         return "list/" + boat + "/" + digest(locations);
@@ -55,7 +62,11 @@ public final class PathProgress {
         for (GeoPoint point : points) {
             bytes.putDouble(point.latDeg()).putDouble(point.lonDeg());
         }
-        return HexFormat.of().formatHex(sha256().digest(bytes.array()), 0, DIGEST_BYTES);
+        return digest(bytes.array());
+    }
+
+    private static String digest(byte[] bytes) {
+        return HexFormat.of().formatHex(sha256().digest(bytes), 0, DIGEST_BYTES);
     }
 
     /**
