@@ -72,7 +72,7 @@ final class AutopilotCommands {
         this.keep = keep;
         this.alarm = alarm;
         motion = first.kind() == VehicleKind.COPTER
-                ? new CopterMotion(base, first, thread)
+                ? new CopterMotion(base, first, thread, () -> broadcast.accept(settings()))
                 : new VehicleMotion(base, first, thread);
         paths = new VehiclePaths(base, motion, thread, radiusM, broadcast, this::remember, alarm, kept);
         aside = new StepAside(name, motion, paths.targets(), alarm);

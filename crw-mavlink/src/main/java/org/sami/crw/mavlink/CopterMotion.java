@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import org.sami.boat.link.Waypoint;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.VehicleCommand;
+import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.vehicle.VehiclePosition;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
@@ -25,13 +26,25 @@ final class CopterMotion extends VehicleMotion {
     private static final int MISSION_START = 300;
 
     private static final double HOME_SPEED_MPS = 8;
+    private static final int MOST_READS = 30; // a vehicle refuses them while another sends it a mission
+    private static final long READ_AGAIN_MS = 1_000;
 
-    private Optional<VehiclePosition> ground = Optional.empty(); // where it was last with its motors off
+    private final Runnable homeRead;
+    private Optional<Waypoint> home = Optional.empty(); // where it was last with its motors off
+    private int reads; // of its home
+    private long readAgainMs = Long.MIN_VALUE;
+    private boolean isReading;
     private Optional<Integer> onceUp = Optional.empty(); // the item to go on at after the take-off
     private int takeOffItem;
 
-    CopterMotion(MavlinkBase base, VehicleSnapshot first, Executor thread) {
+    /**
+     * The motion of a copter of which nothing was heard before.
+     *
+     * @param homeRead called when its home is known from what it holds
+     */
+    CopterMotion(MavlinkBase base, VehicleSnapshot first, Executor thread, Runnable homeRead) {
         super(base, first, thread);
+        this.homeRead = homeRead;
     }
 
     @Override
@@ -39,10 +52,32 @@ final class CopterMotion extends VehicleMotion {
         return true;
     }
 
-    /** Where its motors were off last: there it was armed. */
+    /** Where its motors were off last: there it was armed. Of one that is met with its motors on, the home that it holds. */
     @Override
     Optional<Waypoint> home() {
-        return ground.map(at -> new Waypoint(at.latDeg(), at.lonDeg(), HOME_SPEED_MPS));
+        return home;
+    }
+
+    /** The autopilot keeps its home as item 0 of its mission, whatever item 0 was sent. */
+    private void readHome() {
+        isReading = true;
+        reads++;
+        Results.when(
+                base.held(id, HeldKind.MISSION),
+                thread(),
+                items -> {
+                    isReading = false;
+                    reads = MOST_READS;
+                    Optional<Waypoint> held = items.stream()
+                            .findFirst()
+                            .filter(item -> item.latDeg() != 0 || item.lonDeg() != 0)
+                            .map(item -> new Waypoint(item.latDeg(), item.lonDeg(), HOME_SPEED_MPS));
+                    if (home.isEmpty() && held.isPresent()) {
+                        home = held;
+                        homeRead.run();
+                    }
+                },
+                why -> isReading = false);
     }
 
     /** Whether it is in the air. */
@@ -138,7 +173,12 @@ final class CopterMotion extends VehicleMotion {
     boolean reported(VehicleSnapshot vehicle, long atMs) {
         boolean other = super.reported(vehicle, atMs);
         if (!vehicle.armed() && vehicle.located()) {
-            ground = vehicle.position().or(() -> ground);
+            home = vehicle.position()
+                    .map(at -> new Waypoint(at.latDeg(), at.lonDeg(), HOME_SPEED_MPS))
+                    .or(() -> home);
+        } else if (vehicle.armed() && home.isEmpty() && !isReading && reads < MOST_READS && atMs >= readAgainMs) {
+            readAgainMs = atMs + READ_AGAIN_MS;
+            readHome();
         }
         boolean isUp = vehicle.currentItem().filter(item -> item > takeOffItem).isPresent();
         if (onceUp.isPresent() && isUp && vehicle.mode().equals(AUTO) && isOrdered()) {

@@ -237,6 +237,23 @@ class CopterCommandsTest {
     }
 
     @Test
+    void baseThatMeetsItInTheAirReadsItsHome() {
+        fly("path", 0, new Waypoint(45.7002, 10.72, 8, 20), EAST);
+        completes("path");
+        client.close();
+        client = new LinkClient(folder, copter.address() + "/6");
+
+        Await.until(
+                "its home is known",
+                () -> client.last(SettingsReport.class)
+                        .flatMap(SettingsReport::home)
+                        .isPresent());
+        Waypoint home = client.last(SettingsReport.class).orElseThrow().home().orElseThrow();
+        assertThat(home.latDeg()).isCloseTo(45.7, within(1e-6));
+        assertThat(home.lonDeg()).isCloseTo(10.72, within(1e-6));
+    }
+
+    @Test
     void sticksOfTheBaseDoNotFlyIt() {
         client.say(new Teleoperate(1, 0));
 

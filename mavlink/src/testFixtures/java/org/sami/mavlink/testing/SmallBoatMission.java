@@ -45,6 +45,7 @@ public final class SmallBoatMission {
     private boolean waits;
     private int stops;
     private final List<MissionItemInt> visited = new ArrayList<>();
+    private Optional<MissionItemInt> home = Optional.empty(); // read as item 0 in place of what was sent
 
     /** No mission, of the vehicle with a system id. */
     SmallBoatMission(int system) {
@@ -100,6 +101,11 @@ public final class SmallBoatMission {
 
     synchronized int current() {
         return current;
+    }
+
+    /** It is armed at a place, which is its home from now on. */
+    synchronized void home(double latDeg, double lonDeg) {
+        home = Optional.of(MissionItem.waypoint(0, latDeg, lonDeg, 0, 0).message(vehicle, HeldKind.MISSION));
     }
 
     /** It goes to another of its items from now on. */
@@ -174,7 +180,7 @@ public final class SmallBoatMission {
                     .missionType(list.missionType())
                     .build());
         } else if (message instanceof MissionRequestInt asked && asked.seq() < items.size()) {
-            return List.of(items.get(asked.seq()));
+            return List.of(home.filter(at -> asked.seq() == 0).orElse(items.get(asked.seq())));
         } else if (message instanceof MissionCount count && isMission(count.missionType())) {
             if (refuses || count.count() > room) {
                 return List.of(ack(MavMissionResult.MAV_MISSION_NO_SPACE));

@@ -125,7 +125,14 @@ public final class SmallCopter implements AutoCloseable {
 
     /** Its pilot lets its motors turn, on the ground. */
     public synchronized void armedByPilot() {
+        homeHere();
         armed = true;
+    }
+
+    private void homeHere() {
+        if (!armed) {
+            mission.home(flight.motion().lat() / 1e7, flight.motion().lon() / 1e7);
+        }
     }
 
     /** One of its parameters. */
@@ -179,6 +186,7 @@ public final class SmallCopter implements AutoCloseable {
             return false;
         }
         armings += armed ? 0 : 1;
+        homeHere();
         armed = true;
         return true;
     }
