@@ -131,7 +131,7 @@ enum SamiModule {
     /** A session for several people. */
     SESSION_SERVER(
             "session-server",
-            66,
+            67,
             List.of(
                     "org.sami.session.map..",
                     "org.sami.session.person..",
