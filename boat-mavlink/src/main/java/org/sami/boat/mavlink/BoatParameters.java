@@ -3,6 +3,7 @@ package org.sami.boat.mavlink;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.GainAxis;
@@ -102,31 +103,48 @@ final class BoatParameters {
         return name.equals(LOST) || name.equals(LOST_ACTION) || GAINS.contains(name);
     }
 
+    /** What is wrong with a value whoever commands; a value that cannot be set takes no command. */
+    static Optional<String> whyWrong(String name, double value) {
+        if (name.equals(SPEED)) {
+            return whyOutside(name, value, LEAST_MPS, MOST_MPS);
+        } else if (name.equals(LOST)) {
+            return value == 0 || value == 1 ? Optional.empty() : Optional.of(LOST + " is 0 or 1, not " + value);
+        } else if (name.equals(LOST_ACTION)) {
+            return value == Math.rint(value) && ACTIONS.containsKey((int) value)
+                    ? Optional.empty()
+                    : Optional.of(LOST_ACTION + " is 1 (return), 2 (motors off) or 6 (keep the place), not " + value);
+        }
+        return GAINS.contains(name) ? whyOutside(name, value, 0, MOST_GAIN) : Optional.of(name + " can only be read");
+    }
+
+    private static Optional<String> whyOutside(String name, double value, double least, double most) {
+        return value >= least && value <= most
+                ? Optional.empty()
+                : Optional.of(name + " is " + least + " to " + most + ", not " + value);
+    }
+
     /** Sets a parameter of these; the station commands the boat where that is needed. */
     OrderReply set(String name, double value, long nowMs) {
+        return whyWrong(name, value)
+                .map(OrderReply::denied)
+                .orElseGet(() ->
+                        whyNotSet(name, value, nowMs).map(OrderReply::failed).orElse(OrderReply.ACCEPTED));
+    }
+
+    /** Sets it to a value that can be; why the boat refuses it, empty where it is done. */
+    private Optional<String> whyNotSet(String name, double value, long nowMs) {
+        LostLinkAction now = lostLink();
         if (name.equals(SPEED)) {
-            return set(name, value, LEAST_MPS, MOST_MPS, () -> {
-                speedMps = value;
-                return Optional.empty();
-            });
+            speedMps = value;
+            return Optional.empty();
         } else if (name.equals(LOST)) {
-            LostLinkAction next = value == 0 ? LostLinkAction.CONTINUE : whereOn;
-            return value == 0 || value == 1
-                    ? set(name, value, 0, 1, () -> send(next, nowMs))
-                    : OrderReply.denied(LOST + " is 0 or 1, not " + value);
+            return send(value == 0 ? LostLinkAction.CONTINUE : whereOn, nowMs);
         } else if (name.equals(LOST_ACTION)) {
-            LostLinkAction next = value == Math.rint(value) ? ACTIONS.get((int) value) : null;
-            if (next == null) {
-                return OrderReply.denied(
-                        LOST_ACTION + " is 1 (return), 2 (motors off) or 6 (keep the place), not " + value);
-            }
+            LostLinkAction next = Objects.requireNonNull(ACTIONS.get((int) value));
             whereOn = next;
-            boolean isOn = lostLink() != LostLinkAction.CONTINUE;
-            return isOn ? set(name, value, 1, 6, () -> send(next, nowMs)) : OrderReply.ACCEPTED;
-        } else if (GAINS.contains(name)) {
-            return set(name, value, 0, MOST_GAIN, () -> boat.send(id -> gain(id, name, value), nowMs));
+            return now == LostLinkAction.CONTINUE ? Optional.empty() : send(next, nowMs);
         }
-        return OrderReply.denied(name + " can only be read");
+        return boat.send(id -> gain(id, name, value), nowMs);
     }
 
     private Optional<String> send(LostLinkAction action, long nowMs) {
@@ -142,17 +160,5 @@ final class BoatParameters {
             default -> new Gains(now.proportional(), now.integral(), value);
         };
         return new SetGains(commandId, axis, next);
-    }
-
-    /** Does something; why it is refused, empty where it is done. */
-    private interface Deed {
-        Optional<String> refusal();
-    }
-
-    private static OrderReply set(String name, double value, double least, double most, Deed deed) {
-        if (!(value >= least && value <= most)) {
-            return OrderReply.denied(name + " is " + least + " to " + most + ", not " + value);
-        }
-        return deed.refusal().map(OrderReply::failed).orElse(OrderReply.ACCEPTED);
     }
 }

@@ -211,6 +211,10 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
 
         @Override
         public OrderReply setParameter(VehicleId station, String parameter, double value) {
+            Optional<String> wrong = BoatParameters.whyWrong(parameter, value);
+            if (wrong.isPresent()) {
+                return OrderReply.denied(wrong.get());
+            }
             long nowMs = clock.getAsLong();
             Optional<String> refused = BoatParameters.needsCommand(parameter)
                     ? command.take(station, nowMs)

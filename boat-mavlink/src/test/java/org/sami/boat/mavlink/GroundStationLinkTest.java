@@ -172,6 +172,19 @@ class GroundStationLinkTest {
     }
 
     @Test
+    void aParameterThatCannotBeSetTakesNoCommand() throws Exception {
+        try (BoatWithStation boat = BoatWithStation.patient();
+                MavlinkBase station = station(boat)) {
+            seen(station);
+            assertThatThrownBy(() -> station.setParameter(BOAT, "FS_ACTION", 99).join())
+                    .hasMessageContaining("FS_ACTION");
+            assertThatThrownBy(() -> station.setParameter(BOAT, "HDG_P", -1).join())
+                    .hasMessageContaining("HDG_P");
+            assertThat(boat.base().commandedBy()).isEmpty();
+        }
+    }
+
+    @Test
     void doesWhatIsSetForALostLinkWhenItsStationIsGone() throws Exception {
         try (BoatWithStation boat = BoatWithStation.losingIts(LostLinkAction.DRIFT)) {
             try (MavlinkBase station = station(boat)) {
