@@ -138,6 +138,9 @@ final class BoatParameters {
             speedMps = value;
             return Optional.empty();
         } else if (name.equals(LOST)) {
+            if (now != LostLinkAction.CONTINUE) {
+                whereOn = now; // as the boat was started with it, or a base set it
+            }
             return send(value == 0 ? LostLinkAction.CONTINUE : whereOn, nowMs);
         } else if (name.equals(LOST_ACTION)) {
             LostLinkAction next = Objects.requireNonNull(ACTIONS.get((int) value));

@@ -36,6 +36,7 @@ final class DrivenBoat {
     final BoatClient client;
     final CommandingStation command;
     final BoatMission mission;
+    final BoatParameters parameters;
     final BoatVehicle vehicle;
     final BoatFence fence = new BoatFence();
     final List<String> said = new ArrayList<>(); // about the fence
@@ -49,13 +50,9 @@ final class DrivenBoat {
         client = new BoatClient(server, nowMs);
         command = new CommandingStation(client, "anna", (severity, text) -> {}, this::commandChanged, nowMs);
         mission = new BoatMission(client);
+        parameters = new BoatParameters(client, 1);
         vehicle = new BoatVehicle(
-                "anna",
-                client,
-                command,
-                mission,
-                new BoatParameters(client, 1),
-                new StationWayCheck("anna", client, fence));
+                "anna", client, command, mission, parameters, new StationWayCheck("anna", client, fence));
         guard = new FenceGuard(
                 "anna", client, fence, vehicle, (severity, text) -> said.add(text), () -> fenceReports++);
         pass(200);
