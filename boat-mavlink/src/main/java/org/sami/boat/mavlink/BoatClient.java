@@ -53,6 +53,7 @@ final class BoatClient implements FrameSink {
     private Optional<BatteryReport> battery = Optional.empty();
     private Optional<SettingsReport> settings = Optional.empty();
     private List<Progress> progress = new ArrayList<>();
+    private String listId = "";
     private List<SensorReport> readings = new ArrayList<>();
 
     /** A client that observes. */
@@ -143,6 +144,11 @@ final class BoatClient implements FrameSink {
         return id.startsWith(sessionId + ".");
     }
 
+    /** The list that the boat holds, as far as it has said; empty where it has said nothing of any. */
+    String listId() {
+        return listId;
+    }
+
     /** Where the boat is and how it moves; empty where it does not know, as without a position fix. */
     Optional<Telemetry> telemetry(long nowMs) {
         return telemetry.filter(last -> nowMs - last.boatTimeMs() <= TELEMETRY_AGE_MS);
@@ -210,8 +216,11 @@ final class BoatClient implements FrameSink {
             battery = Optional.of(now);
         } else if (message instanceof SettingsReport now) {
             settings = Optional.of(now);
-        } else if (message instanceof Progress now && progress.size() < MOST_KEPT) {
-            progress.add(now);
+        } else if (message instanceof Progress now) {
+            listId = now.listId();
+            if (progress.size() < MOST_KEPT) {
+                progress.add(now);
+            }
         } else if (message instanceof SensorReport now && readings.size() < MOST_KEPT) {
             readings.add(now);
         }

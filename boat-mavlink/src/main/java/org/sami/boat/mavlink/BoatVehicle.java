@@ -78,7 +78,7 @@ final class BoatVehicle {
             return change(OnboardModes.LOITER, nowMs);
         } else if (order instanceof StationOrder.ChangeSpeed speed) {
             parameters.setSpeedMps(speed.speedMps());
-            return mission.isUnderWay() || target.isPresent() ? begin(nowMs) : OrderReply.ACCEPTED;
+            return drivesMission() || target.isPresent() ? begin(nowMs) : OrderReply.ACCEPTED;
         }
         throw new IllegalStateException("no way to carry out " + order);
     }
@@ -201,13 +201,12 @@ final class BoatVehicle {
 
     private OrderReply goOnAt(int item, long nowMs) {
         OrderReply next = setItem(item, nowMs);
-        return next.isAccepted() && mission.isUnderWay() ? begin(nowMs) : next;
+        return next.isAccepted() && drivesMission() ? begin(nowMs) : next;
     }
 
     /** A mission under way that may not go on at an item goes on as before. */
     private OrderReply setItem(int item, long nowMs) {
-        Optional<String> cannot =
-                mission.isUnderWay() ? ways.along(mission.aheadAt(item, home()), nowMs) : Optional.empty();
+        Optional<String> cannot = drivesMission() ? ways.along(mission.aheadAt(item, home()), nowMs) : Optional.empty();
         if (cannot.isPresent()) {
             return OrderReply.failed(cannot.get());
         }
@@ -248,6 +247,16 @@ final class BoatVehicle {
         return boat.mode();
     }
 
+    /** Whether it drives a list, for a station or still that of the base that has handed it over on its way. */
+    private boolean drivesList() {
+        return mode == OnboardModes.AUTO && boat.commands() && boatMode() == BoatMode.PATH;
+    }
+
+    /** Whether what it drives is the mission that stations are shown: it was started, or the base's list is shown as it. */
+    private boolean drivesMission() {
+        return mission.isUnderWay() || (drivesList() && mission.isList(boat.listId()));
+    }
+
     /** The number of the mode that stations are shown. */
     int mode() {
         return boat.commands() && boatMode() != BoatMode.FLEET_STOP ? mode : BoatModes.shown(boatMode());
@@ -265,7 +274,7 @@ final class BoatVehicle {
 
     /** A mission came; one that is under way does not go on by itself with other items. */
     Optional<String> missionChanged(List<MissionItem> items, long nowMs) {
-        boolean stops = mission.isUnderWay() && boat.commands();
+        boolean stops = (mission.isUnderWay() || drivesList()) && boat.commands();
         mission.replace(items);
         if (!stops) {
             return Optional.empty();
@@ -286,7 +295,7 @@ final class BoatVehicle {
     Optional<String> fenceChanged(long nowMs) {
         Optional<String> why = target.isPresent()
                 ? ways.toPlace(new Position(target.get().latDeg(), target.get().lonDeg()), nowMs)
-                : mission.isUnderWay() || mode == OnboardModes.RETURN ? whyNot(mode, nowMs) : Optional.empty();
+                : drivesMission() || mode == OnboardModes.RETURN ? whyNot(mode, nowMs) : Optional.empty();
         return why.isPresent() && boat.commands() && keepPlace(nowMs)
                 ? Optional.of("the fence is another, and " + why.get() + ": " + name + " keeps its place")
                 : Optional.empty();
