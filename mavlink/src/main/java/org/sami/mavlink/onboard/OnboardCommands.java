@@ -100,10 +100,22 @@ final class OnboardCommands {
     }
 
     private OrderReply mode(VehicleId station, CommandValues command) {
-        if (!command.isWhole(1) || ((int) command.param(1) & CUSTOM_MODE) == 0 || !command.isWhole(2)) {
-            return OrderReply.denied("a mode is a custom mode with a whole number");
-        }
-        return host.order(station, new StationOrder.ChangeMode((long) command.param(2)));
+        return command.isWhole(1) && command.isWhole(2)
+                ? mode(station, (int) command.param(1), (long) command.param(2))
+                : noMode();
+    }
+
+    /**
+     * Changes the mode.
+     *
+     * @param flags of the mode, the base mode: without that of custom modes, the number is none of these, whatever it is
+     */
+    OrderReply mode(VehicleId station, int flags, long customMode) {
+        return (flags & CUSTOM_MODE) == 0 ? noMode() : host.order(station, new StationOrder.ChangeMode(customMode));
+    }
+
+    private static OrderReply noMode() {
+        return OrderReply.denied("a mode is a custom mode with a whole number");
     }
 
     private OrderReply goTo(VehicleId station, CommandValues command) {

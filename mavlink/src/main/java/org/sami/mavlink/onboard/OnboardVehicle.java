@@ -92,7 +92,7 @@ final class OnboardVehicle {
         } else if (message instanceof CommandInt command) {
             refused(commands.take(station, CommandValues.of(command), nowMs));
         } else if (message instanceof SetMode mode) {
-            refused(host.order(station, new StationOrder.ChangeMode(mode.customMode())));
+            refused(commands.mode(station, mode.baseMode().value(), mode.customMode()));
         } else if (message instanceof MissionSetCurrent current) {
             refused(host.order(station, new StationOrder.GoOnAt(current.seq())));
         } else if (message instanceof SetPositionTargetGlobalInt target) {

@@ -11,6 +11,7 @@ import io.dronefleet.mavlink.common.MavCmd;
 import io.dronefleet.mavlink.common.MavFrame;
 import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MavMissionType;
+import io.dronefleet.mavlink.common.MavMode;
 import io.dronefleet.mavlink.common.MavSysStatusSensor;
 import io.dronefleet.mavlink.common.MissionAck;
 import io.dronefleet.mavlink.common.MissionCount;
@@ -19,6 +20,7 @@ import io.dronefleet.mavlink.common.ParamRequestRead;
 import io.dronefleet.mavlink.common.ParamSet;
 import io.dronefleet.mavlink.common.ParamValue;
 import io.dronefleet.mavlink.common.PositionTargetTypemask;
+import io.dronefleet.mavlink.common.SetMode;
 import io.dronefleet.mavlink.common.SetPositionTargetGlobalInt;
 import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.common.SysStatus;
@@ -37,6 +39,7 @@ import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /** What a boat's end answers to messages, among them those that no station should send. */
+@SuppressWarnings("deprecation") // stations that are older use the older messages
 class OnboardVehicleTest {
     private static final VehicleId STATION = new VehicleId(255, 190);
     private static final int BOAT = 3;
@@ -195,6 +198,25 @@ class OnboardVehicleTest {
         assertThat(heard).isZero();
         vehicle.take(STATION, Heartbeat.builder().type(MavType.MAV_TYPE_GCS).build(), 0);
         assertThat(heard).isOne();
+    }
+
+    @Test
+    void anOlderMessageForAModeIsObeyedOnlyWhereItNamesACustomMode() {
+        answers(Object.class, mode(0));
+        assertThat(text()).startsWith("a mode is a custom mode");
+        answers(Object.class, mode(128));
+        assertThat(orders).isEmpty();
+
+        answers(Object.class, mode(1));
+        assertThat(orders).containsExactly(new StationOrder.ChangeMode(OnboardModes.AUTO));
+    }
+
+    private static SetMode mode(int baseMode) {
+        return SetMode.builder()
+                .targetSystem(BOAT)
+                .baseMode(EnumValue.create(MavMode.class, baseMode))
+                .customMode(OnboardModes.AUTO)
+                .build();
     }
 
     @Test
