@@ -78,12 +78,17 @@ final class OnboardVehicle {
             if (beat.type().entry() == MavType.MAV_TYPE_GCS) {
                 host.heard(station);
             }
-        } else if (MessageTargets.of(message)
-                .filter(target -> target.isFor(system, AUTOPILOT))
-                .isPresent()) {
-            host.heard(station);
-            answer(station, message);
+            return;
         }
+        Optional<MessageTargets> target = MessageTargets.of(message).filter(it -> it.isFor(system, AUTOPILOT));
+        if (target.isEmpty()) {
+            return;
+        }
+        boolean asksAll = target.get().system() == 0 && (message instanceof Timesync || message instanceof Ping);
+        if (!asksAll) { // vehicles and computers aboard of them ask all too, and are no stations
+            host.heard(station);
+        }
+        answer(station, message);
     }
 
     private void answer(VehicleId station, Object message) {

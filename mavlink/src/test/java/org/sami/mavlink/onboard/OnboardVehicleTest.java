@@ -19,6 +19,7 @@ import io.dronefleet.mavlink.common.MissionItemInt;
 import io.dronefleet.mavlink.common.ParamRequestRead;
 import io.dronefleet.mavlink.common.ParamSet;
 import io.dronefleet.mavlink.common.ParamValue;
+import io.dronefleet.mavlink.common.Ping;
 import io.dronefleet.mavlink.common.PositionTargetTypemask;
 import io.dronefleet.mavlink.common.SetMode;
 import io.dronefleet.mavlink.common.SetPositionTargetGlobalInt;
@@ -197,6 +198,17 @@ class OnboardVehicleTest {
                 0);
         assertThat(heard).isZero();
         vehicle.take(STATION, Heartbeat.builder().type(MavType.MAV_TYPE_GCS).build(), 0);
+        assertThat(heard).isOne();
+    }
+
+    @Test
+    void whatAnotherVehicleAsksAllIsAnsweredAndMakesItNoStation() {
+        vehicle.take(new VehicleId(4, 1), Timesync.builder().ts1(77).build(), 1_000);
+        vehicle.take(new VehicleId(4, 1), Ping.builder().seq(8).build(), 1_000);
+        assertThat(sent).hasSize(2);
+        assertThat(heard).isZero();
+
+        vehicle.take(STATION, Timesync.builder().ts1(77).targetSystem(BOAT).build(), 1_000);
         assertThat(heard).isOne();
     }
 
