@@ -149,7 +149,8 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
 
         private void moved(Progress progress, long nowMs) {
             mission.take(progress, nowMs).ifPresent(link::reached);
-            boolean ofBase = !boat.isOwnList(progress.listId()) && !boat.commands();
+            boolean ofBase =
+                    !boat.isOwnList(progress.listId()) && boat.otherCommander().isPresent();
             if (ofBase && !progress.listId().isEmpty() && !progress.listId().equals(shownList)) {
                 shownList = progress.listId();
                 List<MissionItem> shown = MissionPath.missionOf(boat.waypoints(), vehicle.home());
@@ -244,6 +245,9 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
 
         @Override
         public void changed(HeldKind kind, List<MissionItem> items) {
+            if (kind == HeldKind.MISSION) {
+                shownList = ""; // a base that goes on with its list has it shown again
+            }
             lists.changed(kind, items);
         }
     }

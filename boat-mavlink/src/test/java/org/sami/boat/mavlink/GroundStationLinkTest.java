@@ -16,6 +16,7 @@ import org.sami.boat.link.GrantCommand;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.StartWaypoints;
+import org.sami.boat.link.TakeCommand;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
@@ -181,6 +182,32 @@ class GroundStationLinkTest {
             assertThatThrownBy(() -> station.setParameter(BOAT, "HDG_P", -1).join())
                     .hasMessageContaining("HDG_P");
             assertThat(boat.base().commandedBy()).isEmpty();
+        }
+    }
+
+    @Test
+    void aPathOnWhichTheBaseGoesOnIsTheMissionAgain() throws Exception {
+        try (BoatWithStation boat = BoatWithStation.patient();
+                MavlinkBase station = station(boat)) {
+            boat.base().command(Role.COMMANDER);
+            boat.base()
+                    .send(id -> new UploadWaypoints(
+                            id,
+                            "l1",
+                            List.of(
+                                    new Waypoint(BoatWithStation.LAT + 0.01, BoatWithStation.LON, 1),
+                                    new Waypoint(BoatWithStation.LAT + 0.02, BoatWithStation.LON, 1))));
+            boat.base().send(id -> new StartWaypoints(id, "l1", 0));
+            untilMode(station, "AUTO", true);
+            boat.base().send(id -> new GrantCommand(id, BoatClient.NAME));
+            station.replace(BOAT, HeldKind.MISSION, List.of(point(0, 0, 0), point(1, -0.01, 0)))
+                    .join();
+
+            boat.base().send(id -> new TakeCommand(id, "session1", 9));
+            boat.base().send(id -> new StartWaypoints(id, "l1", 1));
+            Await.until(
+                    "the base's path is shown",
+                    () -> station.held(BOAT, HeldKind.MISSION).join().size() == 3);
         }
     }
 
