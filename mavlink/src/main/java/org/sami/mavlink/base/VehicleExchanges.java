@@ -47,6 +47,9 @@ final class VehicleExchanges {
                 restarted();
             }
         }
+        if (AnswerTargets.isForAnother(message)) {
+            return; // else a disarm would end with the answer to a pilot who arms
+        }
         commands.take(message, nowMs);
         lists.take(message, nowMs);
         parameters.take(message, nowMs);
