@@ -184,12 +184,18 @@ class BuildHouseTest {
     }
 
     private static List<Path> buildFiles() throws IOException {
-        try (Stream<Path> all = Files.walk(Path.of(""), 5)) {
-            return all.filter(Files::isRegularFile)
-                    .filter(path -> path.toString().endsWith(".gradle"))
-                    .filter(path -> !path.toString().contains("build/"))
-                    .sorted()
-                    .collect(toList());
+        List<Path> found = new ArrayList<>();
+        try (Stream<Path> top = Files.list(Path.of(""))) {
+            // Git makes and deletes files in its own folder meanwhile.
+            for (Path one : top.filter(path -> !path.toString().startsWith(".")).toList()) {
+                try (Stream<Path> all = Files.walk(one, 4)) {
+                    all.filter(Files::isRegularFile)
+                            .filter(path -> path.toString().endsWith(".gradle"))
+                            .filter(path -> !path.toString().contains("build/"))
+                            .forEach(found::add);
+                }
+            }
         }
+        return found.stream().sorted().collect(toList());
     }
 }
