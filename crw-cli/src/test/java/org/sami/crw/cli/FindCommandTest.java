@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.UUID;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -22,9 +23,13 @@ class FindCommandTest {
         String bert = "bert-" + UUID.randomUUID();
         Thread announced = boat(anna, "--announce");
         Thread silent = boat(bert);
-        Await.until("the boat is found", () -> find().contains(anna));
-        assertThat(find()).doesNotContain(bert);
-        assertThat(find().lines().filter(line -> line.startsWith(anna)))
+        AtomicReference<String> found = new AtomicReference<>("");
+        Await.until("the boat is found", () -> {
+            found.set(find());
+            return found.get().contains(anna);
+        });
+        assertThat(found.get()).doesNotContain(bert);
+        assertThat(found.get().lines().filter(line -> line.startsWith(anna)))
                 .singleElement()
                 .asString()
                 .matches(anna + "\\s+127\\.0\\.0\\.1:\\d+\\s+63 %  open to everybody, simulated");
