@@ -37,9 +37,9 @@ import org.sami.ui.table.RowTable;
  * Tries the open plan: what can happen now, what one of it needs, and what was done. The tokens are on the net. On the event thread.
  */
 public final class TryOutPanel extends FoldingPanel {
-    private static final int ALL_WORDS = 960;
-    private static final int SHORT_WORDS = 820;
-    private static final int FEWEST_WORDS = 740;
+    private static final int ALL_WORDS = 990;
+    private static final int SHORT_WORDS = 850;
+    private static final int FEWEST_WORDS = 810;
     private static final int TWO_ROWS = 520;
     private static final String LIST_LEFT = "[64%, grow, fill][36%, grow, fill]";
     private static final String WIDE_HALVES = "[44%, grow, fill][260:56%, grow, fill]";

@@ -9,6 +9,7 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -29,6 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.sami.dreamm.canvas.ModelView;
 import org.sami.dreamm.context.DreammContext;
 import org.sami.dreamm.document.ProjectDocument;
@@ -163,6 +165,26 @@ class RunPanelsTest {
                 }
                 tabs.setSelectedIndex(0);
             }
+            Look.apply(Theme.LIGHT, 100);
+        });
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {100, 150, 200})
+    void noButtonIsCutInAnyWidth(int percent) throws Exception {
+        onEventThread(() -> {
+            Look.apply(Theme.LIGHT, percent);
+            open();
+            JComponent panel = parts.tryOut();
+            context.commands().get("try-start").run();
+            List<String> cut = new ArrayList<>();
+            for (int width = 530; width <= 1300; width += 10) {
+                Layout.layOut(panel, Look.px(width), Look.px(300));
+                for (String fault : faults(panel)) {
+                    cut.add("at " + width + ": " + fault);
+                }
+            }
+            assertThat(cut).isEmpty();
             Look.apply(Theme.LIGHT, 100);
         });
     }
