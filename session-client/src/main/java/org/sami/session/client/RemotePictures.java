@@ -39,7 +39,6 @@ final class RemotePictures implements Closeable {
     private @Nullable TicketedBase base;
     private @Nullable CompletableFuture<?> underWay;
     private boolean wanted;
-    private boolean fetching;
     private boolean closed;
 
     /** A row that is held back. */
@@ -119,7 +118,7 @@ final class RemotePictures implements Closeable {
 
     private void next() {
         TicketedBase from = base;
-        if (!wanted || fetching || closed || from == null || waiting.isEmpty()) {
+        if (!wanted || underWay != null || closed || from == null || waiting.isEmpty()) {
             return;
         }
         Held one = waiting.removeFirst();
@@ -136,12 +135,10 @@ final class RemotePictures implements Closeable {
             next();
             return;
         }
-        fetching = true;
         CompletableFuture<HttpResponse<Path>> asked =
                 request(from, one, file.resolveSibling(file.getFileName() + ".part"));
         underWay = asked;
         var unused = asked.whenComplete((response, fault) -> execute(() -> {
-            fetching = false;
             underWay = null;
             arrived(one, file, from, response == null ? 0 : response.statusCode());
         }));
