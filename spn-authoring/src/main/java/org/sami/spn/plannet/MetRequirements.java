@@ -3,6 +3,7 @@ package org.sami.spn.plannet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.sami.spn.model.InRequirement;
 
 /** Whether what is chosen for all tokens is what requirements ask for, and what those with numbers select. */
@@ -33,6 +34,7 @@ final class MetRequirements {
      *
      * @param generics how many generic tokens each group selects
      * @param more the groups that leave generic tokens
+     * @param isThere whether a token surely is where it can be selected
      * @param isLoose whether of one token several can be there, so that fewer tokens may be so many
      */
     static boolean fits(
@@ -40,6 +42,7 @@ final class MetRequirements {
             List<TokenOption> chosen,
             Map<String, Integer> generics,
             Set<String> more,
+            Predicate<TokenOption> isThere,
             boolean isLoose) {
         for (Map.Entry<String, List<Integer>> group : numbers.entrySet()) {
             for (int level = 1; level <= group.getValue().size(); level++) {
@@ -51,7 +54,7 @@ final class MetRequirements {
                     if (own != null && own > 0 && own <= level) {
                         picked++;
                     } else if (own != null) {
-                        hasMore |= !option.isKnown || !option.present.isEmpty() || own > level;
+                        hasMore |= !option.isKnown || isThere.test(option) || own > level;
                     }
                 }
                 boolean mixes = group.getValue().size() > 1 && group.getKey().equals("ANY_TOKEN");

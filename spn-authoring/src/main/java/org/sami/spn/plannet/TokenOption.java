@@ -23,6 +23,8 @@ final class TokenOption {
     /** The level at which requirements with numbers select it, by group; 0 where they do not. */
     final Map<String, Integer> levels = new TreeMap<>();
 
+    /** Whether it is a task that is spoken of because the robot is named to which it is allocated: nothing is made for its own name. */
+    boolean isNamedByRobot;
     /** Whether no requirement selects it, wherever it stands. */
     boolean isUnselected;
     /** Whether a sub-mission brought it back. */
@@ -74,6 +76,7 @@ final class TokenOption {
     /** The same suppositions; effects are to be filled in. */
     TokenOption again() {
         TokenOption again = new TokenOption(token, isNamed, present, isKnown);
+        again.isNamedByRobot = isNamedByRobot;
         again.levels.putAll(levels);
         again.arcs.join(arcs);
         return again;
@@ -82,6 +85,7 @@ final class TokenOption {
     /** The same with its effects, of a token that stands in just these places. */
     TokenOption standingIn(Set<String> places) {
         TokenOption same = new TokenOption(token, isNamed, present, isKnown, isAnywhere, Optional.of(places));
+        same.isNamedByRobot = isNamedByRobot;
         same.levels.putAll(levels);
         same.arcs.join(arcs);
         same.moves.addAll(moves);

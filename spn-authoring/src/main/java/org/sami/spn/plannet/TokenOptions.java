@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import org.sami.spn.flow.TokenType;
 import org.sami.spn.model.OutRequirement;
 import org.sami.spn.model.TokenKind;
 import org.sami.spn.model.Transition;
@@ -110,6 +111,7 @@ final class TokenOptions {
                 && selections.all().stream()
                         .anyMatch(s -> s.removes()
                                 && s.requirement().takesAll()
+                                && !s.isOf(TokenKind.RELEVANT) // it is not named
                                 && possible.covers(s.requirement(), t, token));
     }
 
@@ -162,7 +164,18 @@ final class TokenOptions {
                 }
             }
             addLevels(option, List.copyOf(selections.numbers().keySet()), 0, options);
+            if (isNamed && !present.isEmpty() && isOtherwiseByItsRobot(token)) {
+                TokenOption byRobot = option.again();
+                byRobot.isNamedByRobot = true;
+                addLevels(byRobot, List.copyOf(selections.numbers().keySet()), 0, options);
+            }
         }
+    }
+
+    /** Whether it matters that a task is named itself: a requirement makes a token for each name, and none for a task of a robot that is named. */
+    private boolean isOtherwiseByItsRobot(PlanToken token) {
+        return token.type() == TokenType.TASK
+                && selections.all().stream().anyMatch(s -> s.isOf(TokenKind.RELEVANT) && !s.removes());
     }
 
     /** Where it can stand: nowhere or in one place; in any of them where it can be there several times. */
@@ -212,7 +225,8 @@ final class TokenOptions {
         return selections.all().stream()
                 .filter(s -> s.level() > 0 && Selections.group(s.requirement()).equals(group))
                 .anyMatch(s -> possible.covers(s.requirement(), t, option.token)
-                        && (option.isNamed || !s.isOf(TokenKind.RELEVANT)));
+                        && (option.isNamed || !s.isOf(TokenKind.RELEVANT))
+                        && !(option.isNamedByRobot && s.isOf(TokenKind.RELEVANT) && !s.removes()));
     }
 
     private void addReturned(TokenOption option, List<TokenOption> options) {
@@ -276,7 +290,7 @@ final class TokenOptions {
             return isReturned;
         }
         if (r.kind() == TokenKind.RELEVANT && !s.removes()) {
-            return option.isNamed && (s.level() == 0 || isReached(s, option));
+            return option.isNamed && !option.isNamedByRobot && (s.level() == 0 || isReached(s, option));
         }
         if (!isHere || !possible.covers(r, t, option.token) || (r.kind() == TokenKind.RELEVANT && !option.isNamed)) {
             return false;

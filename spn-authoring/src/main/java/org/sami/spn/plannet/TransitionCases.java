@@ -203,6 +203,10 @@ final class TransitionCases {
         if (!watched.isEmpty() && chosen.stream().noneMatch(o -> o.isNamed)) {
             return false;
         }
+        if (chosen.stream().anyMatch(o -> o.isNamedByRobot)
+                && chosen.stream().noneMatch(o -> o.isNamed && o.token.type() == TokenType.PROXY)) {
+            return false;
+        }
         for (InEdge edge : ins) {
             for (InRequirement r : edge.requirements()) {
                 if (r.kind() == TokenKind.RELEVANT && !MetRequirements.meets(r, edge.place(), chosen, hasTasks)) {
@@ -223,7 +227,8 @@ final class TransitionCases {
             throws PlanNetTooLargeException {
         boolean isLoose = chosen.stream()
                 .anyMatch(o -> loose.contains(o.token) || (work.possible().isCopied(o.token) && o.present.size() > 1));
-        if (!MetRequirements.fits(selections.numbers(), chosen, generic.picked, generic.more, isLoose)) {
+        if (!MetRequirements.fits(
+                selections.numbers(), chosen, generic.picked, generic.more, this::isSurelyThere, isLoose)) {
             return;
         }
         CaseArcs arcs = generic.arcs.copy();
@@ -241,7 +246,7 @@ final class TransitionCases {
             entered.addAll(option.edges);
             left.addAll(option.removed);
             returnsSome |= option.isReturned;
-            if (option.isNamed) {
+            if (option.isNamed && !option.isNamedByRobot) {
                 named.add(option.token.label());
             }
         }
@@ -267,6 +272,11 @@ final class TransitionCases {
                 }
             }
         }
+    }
+
+    /** Whether a token surely is where it can be selected: a sub-mission may hold it, or it may stand nowhere. */
+    private boolean isSurelyThere(TokenOption option) {
+        return option.present.stream().anyMatch(place -> !possible.isHeld(place));
     }
 
     private void put(CaseArcs arcs, PlanNetFiring firing, List<TokenOption> robots) throws PlanNetTooLargeException {

@@ -175,4 +175,13 @@ class PlanNetTest {
                 .hasMessageContaining("with 13 robots")
                 .hasMessageContaining("\"t\" alone has");
     }
+
+    @Test
+    void aRobotThatIsNamedTwiceIsRefusedByName() {
+        NetBuilder plan = new NetBuilder("p").start("a");
+
+        assertThatThrownBy(() -> net(plan, "A", "B", "A"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("\"A\"");
+    }
 }
