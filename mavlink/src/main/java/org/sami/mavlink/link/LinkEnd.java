@@ -26,6 +26,11 @@ public record LinkEnd(int system, int component, int linkId, Optional<LinkSignin
         }
     }
 
+    /** Whether the other ends are vehicles, which send a heartbeat each second; ground stations and programs may send nothing for long. */
+    boolean hearsVehicles() {
+        return system == MavlinkLink.GROUND_SYSTEM;
+    }
+
     /** A ground station that signs nothing. */
     public static LinkEnd ground() {
         return ground(0, Optional.empty());

@@ -5,6 +5,9 @@ import io.dronefleet.mavlink.common.RadioStatus;
 import io.dronefleet.mavlink.protocol.MavlinkPacket;
 import java.io.IOException;
 import java.io.InputStream;
+import java.lang.System.Logger.Level;
+import java.net.SocketTimeoutException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -21,6 +24,9 @@ import org.sami.mavlink.address.MavlinkAddress;
 /**
  * One link: opened, read and written by two threads of its own, opened again when it breaks, after a wait that grows. What is sent while it is broken is lost, as on any radio:
  * whoever sends expects an answer and sends again. Safe for use by several threads.
+ *
+ * <p>A connection of a ground station on which messages came, and then nothing for {@link #SILENCE}, is closed and opened again: where a cable was pulled nobody says that it has ended.
+ * One on which no message came is left as it is: what answers there may be no vehicle, and may lock out who connects again and again.
  */
 public final class MavlinkLink implements AutoCloseable {
     /** The system id with which ground stations speak. */
@@ -29,6 +35,10 @@ public final class MavlinkLink implements AutoCloseable {
     /** The component id with which ground stations speak. */
     public static final int GROUND_COMPONENT = 190;
 
+    /** Fifteen heartbeats of a vehicle: longer than radios behind a router lose all of them in range, and than an autopilot takes to start again. */
+    static final Duration SILENCE = Duration.ofSeconds(15);
+
+    private static final System.Logger LOG = System.getLogger(MavlinkLink.class.getName());
     private static final long FIRST_WAIT_MS = 250;
     private static final long LONGEST_WAIT_MS = 5_000;
     private static final int UNSENT = 500;
@@ -42,6 +52,7 @@ public final class MavlinkLink implements AutoCloseable {
     private final MavlinkLinkListener listener;
     private final LinkEnd end;
     private final Predicate<Class<?>> isRead;
+    private final Duration silence;
     private final CountDownLatch closing = new CountDownLatch(1);
     private final BlockingQueue<Object> outgoing = new ArrayBlockingQueue<>(UNSENT);
     private final Thread reader;
@@ -51,6 +62,7 @@ public final class MavlinkLink implements AutoCloseable {
     private Optional<String> fault = Optional.empty();
     private Optional<Connected> connected = Optional.empty();
     private final Map<SignatureFault, Long> refused = new EnumMap<>(SignatureFault.class);
+    private Optional<String> silent = Optional.empty(); // why it was opened again, until something comes
     private Optional<String> stranger = Optional.empty(); // what has answered there before the last break
     private boolean hasRadio;
     private Optional<Integer> rssi = Optional.empty();
@@ -68,6 +80,17 @@ public final class MavlinkLink implements AutoCloseable {
      * @param isRead of which of the library's classes messages are read; of others the listener only hears that they came
      */
     public MavlinkLink(MavlinkAddress address, MavlinkLinkListener listener, LinkEnd end, Predicate<Class<?>> isRead) {
+        this(address, listener, end, isRead, SILENCE);
+    }
+
+    /** A link that takes another time without a message for the end of a connection. */
+    MavlinkLink(
+            MavlinkAddress address,
+            MavlinkLinkListener listener,
+            LinkEnd end,
+            Predicate<Class<?>> isRead,
+            Duration silence) {
+        this.silence = Objects.requireNonNull(silence, "silence");
         this.end = Objects.requireNonNull(end, "end");
         this.isRead = Objects.requireNonNull(isRead, "isRead");
         this.address = Objects.requireNonNull(address, "address");
@@ -143,7 +166,7 @@ public final class MavlinkLink implements AutoCloseable {
     /** What is known of it now. */
     public synchronized MavlinkLinkReport report() {
         long bytes = earlierBytes + connected.map(now -> now.in().bytes()).orElse(0L);
-        Optional<String> wrong = fault;
+        Optional<String> wrong = fault.or(() -> silent);
         if (wrong.isEmpty() && state == MavlinkLinkState.OPEN && count.messages() == 0) {
             Optional<String> noise =
                     Optional.of(StrangePeer.NOISE).filter(words -> refused.isEmpty() && bytes > STRANGE_BYTES);
@@ -216,17 +239,33 @@ public final class MavlinkLink implements AutoCloseable {
                 .build(); // writes
         opened(new Connected(streams, in, codec));
         try {
+            MavlinkPacket packet = in.next();
+            if (end.hearsVehicles()) {
+                streams.failWhenSilent(silence);
+            }
             while (true) {
-                MavlinkPacket packet = in.next();
                 if (isTaken(packet)) {
                     taken.add(message(packet, in.message(packet)));
                 }
+                packet = in.next();
             }
+        } catch (SocketTimeoutException e) {
+            return fellSilent();
         } catch (IOException e) {
             synchronized (this) {
                 return StrangePeer.ended(e, in.first(), count.messages());
             }
         }
+    }
+
+    private String fellSilent() {
+        String why = "nothing has come for " + silence.toSeconds()
+                + " s, where vehicles send every second: is it on and in range, and is the way to it whole? The link is opened again";
+        LOG.log(Level.INFO, () -> address + ": " + why);
+        synchronized (this) {
+            silent = Optional.of(why);
+        }
+        return why;
     }
 
     private ReceivedMessage message(MavlinkPacket packet, Object payload) {
@@ -252,6 +291,7 @@ public final class MavlinkLink implements AutoCloseable {
 
     /** Counts a message; whether it is one to be read. */
     private synchronized boolean isTaken(MavlinkPacket packet) {
+        silent = Optional.empty();
         Optional<SignatureFault> wrong = end.signing().flatMap(signing -> signing.fault(packet));
         wrong.ifPresent(why -> refused.merge(why, 1L, Long::sum));
         if (wrong.isEmpty()) {

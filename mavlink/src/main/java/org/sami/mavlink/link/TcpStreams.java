@@ -8,6 +8,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.net.UnknownHostException;
+import java.time.Duration;
 
 /** A TCP connection. */
 record TcpStreams(Socket socket, InputStream in, OutputStream out) implements LinkStreams {
@@ -35,6 +36,11 @@ record TcpStreams(Socket socket, InputStream in, OutputStream out) implements Li
             socket.close();
             throw e;
         }
+    }
+
+    @Override
+    public void failWhenSilent(Duration time) throws IOException {
+        socket.setSoTimeout(Math.toIntExact(time.toMillis()));
     }
 
     @Override
