@@ -72,10 +72,13 @@ record MissionPath(List<Waypoint> waypoints, List<Integer> items, List<Double> w
         return Double.isNaN(item.param1()) ? 0 : item.param1();
     }
 
-    /** Whether it knows the frame of an item: heights do not matter to a boat, so all frames with latitude and longitude do. */
+    /**
+     * Whether it knows the frame of an item (MAV_FRAME). Heights do not matter to a boat, so it knows all frames with latitude and longitude, over the sea, home or terrain, in either
+     * form, and that of commands without a place (2), which ArduPilot takes for places, too. It knows none that counts metres from somewhere.
+     */
     static boolean isKnownFrame(MissionItem item) {
         return switch (item.frame()) {
-            case 0, 2, 3, 5, 6 -> true;
+            case 0, 2, 3, 5, 6, 10, 11 -> true;
             default -> false;
         };
     }

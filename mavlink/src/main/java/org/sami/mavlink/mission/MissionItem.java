@@ -39,6 +39,8 @@ public record MissionItem(
     private static final int RELATIVE = 3;
     private static final int GLOBAL_INT = 5;
     private static final int RELATIVE_INT = 6;
+    private static final int TERRAIN = 10;
+    private static final int TERRAIN_INT = 11;
 
     /** An item.
      *
@@ -102,6 +104,7 @@ public record MissionItem(
         return switch (frame) {
             case GLOBAL_INT -> GLOBAL;
             case RELATIVE_INT -> RELATIVE;
+            case TERRAIN_INT -> TERRAIN;
             default -> frame;
         };
     }
