@@ -47,6 +47,8 @@ final class ListUpload extends AbstractListTransfer {
     private int rounds;
     private boolean hastens; // sends before it is asked
     private Optional<IllegalStateException> notReady = Optional.empty();
+    private Optional<String> unexpected =
+            Optional.empty(); // its answer, in this round, to an item that it did not expect
     private double lost; // the part of the items, lately, that had to be sent again
     private int tries;
     private int asked; // the item that was asked for last
@@ -78,6 +80,7 @@ final class ListUpload extends AbstractListTransfer {
         tries = 0;
         asked = from - 1;
         sent = from - 1;
+        unexpected = Optional.empty();
         progressMs = nowMs;
         announce(nowMs);
     }
@@ -138,7 +141,7 @@ final class ListUpload extends AbstractListTransfer {
         } else if (asked == to - 1 && tries == LAST_TRIES) {
             succeed(); // it has the last item or nothing comes through; reading back finds out
         } else if (nowMs - progressMs > SILENCE_MS) {
-            again("it asked for " + (asked - from + 1) + " of " + (to - from) + " items, and for no more", nowMs);
+            again(stalled(), nowMs);
         } else {
             lost += tries == 0 ? NEW_PART * (1 - lost) : 0;
             hastens = false;
@@ -146,6 +149,11 @@ final class ListUpload extends AbstractListTransfer {
             tries++;
             sentMs = nowMs;
         }
+    }
+
+    private String stalled() {
+        return "it asked for " + (asked - from + 1) + " of " + (to - from) + " items, and for no more"
+                + unexpected.map(answer -> "; " + answer).orElse("");
     }
 
     @SuppressWarnings("deprecation") // ArduPilot still asks by the older message
@@ -201,7 +209,7 @@ final class ListUpload extends AbstractListTransfer {
                 succeed();
             }
         } else if (what == MavMissionResult.MAV_MISSION_INVALID_SEQUENCE) {
-            progressMs = nowMs; // it did not expect this item, and waits for another
+            unexpected = Optional.of(MissionWords.of(result)); // it says which one it waits for, or the round ends
             hastens = false;
         } else if (what == MavMissionResult.MAV_MISSION_ERROR && allSent) {
             succeed(); // the last item came to it twice: it had ended; reading back finds out

@@ -21,6 +21,7 @@ final class MissionWords {
             case MAV_MISSION_UNSUPPORTED -> "it cannot carry out one of the items (MAV_MISSION_UNSUPPORTED)";
             case MAV_MISSION_UNSUPPORTED_FRAME ->
                 "it does not know the frame of an item (MAV_MISSION_UNSUPPORTED_FRAME)";
+            case MAV_MISSION_INVALID_SEQUENCE -> "it expected another item (MAV_MISSION_INVALID_SEQUENCE)";
             default ->
                 known.name()
                                 .substring("MAV_MISSION_".length())

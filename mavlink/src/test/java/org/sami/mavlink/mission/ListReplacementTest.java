@@ -2,7 +2,11 @@ package org.sami.mavlink.mission;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.dronefleet.mavlink.common.MavMissionResult;
+import io.dronefleet.mavlink.common.MissionAck;
+import io.dronefleet.mavlink.common.MissionCount;
 import io.dronefleet.mavlink.common.MissionItemInt;
+import io.dronefleet.mavlink.common.MissionRequestInt;
 import io.dronefleet.mavlink.common.MissionRequestList;
 import io.dronefleet.mavlink.common.MissionWritePartialList;
 import java.time.Duration;
@@ -340,6 +344,44 @@ class ListReplacementTest {
                 .failsWithin(Duration.ZERO)
                 .withThrowableThat()
                 .withMessageContaining("holds another mission than it was sent: item 2");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 4})
+    void aVehicleThatAnswersEachItemWithInvalidSequenceEndsTheTransferWithThatReason(int wanted) {
+        HeldLists refused = new HeldLists(VEHICLE, sent::add);
+        CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
+        refused.replace(HeldKind.MISSION, List.of(mission(10)), nowMs, result);
+        while (!result.isDone() && nowMs < 300_000) {
+            nowMs += TICK_MS;
+            List<Object> arrived = List.copyOf(sent);
+            sent.clear();
+            for (Object message : arrived) {
+                refused.take(message instanceof MissionCount ? request(wanted) : invalidSequence(), nowMs);
+            }
+            refused.tick(nowMs);
+        }
+
+        assertThat(result)
+                .failsWithin(Duration.ZERO)
+                .withThrowableThat()
+                .withMessageContaining("vehicle 3 could not be sent its mission")
+                .withMessageContaining("MAV_MISSION_INVALID_SEQUENCE");
+        assertThat(nowMs).isLessThan(90_000);
+    }
+
+    private static MissionRequestInt request(int item) {
+        return MissionRequestInt.builder()
+                .seq(item)
+                .missionType(HeldKind.MISSION.type())
+                .build();
+    }
+
+    private static MissionAck invalidSequence() {
+        return MissionAck.builder()
+                .type(MavMissionResult.MAV_MISSION_INVALID_SEQUENCE)
+                .missionType(HeldKind.MISSION.type())
+                .build();
     }
 
     @Test
