@@ -88,6 +88,7 @@ public final class ModelView extends JPanel implements NetDropTarget, TermSource
             net.setDetail(net.detail().withRequirements(false));
         }
         actions = new NetActions(context, view, net);
+        context.typed().add(actions::endWriting);
         Connecting connecting = new Connecting(view, net, actions);
         EditTool tool = new EditTool(view, net, actions, connecting);
         view.setTool(tool);

@@ -29,6 +29,7 @@ public final class DreammContext implements AutoCloseable {
     private final CommandRegistry commands;
     private final Notices notices = new Notices();
     private final Questions questions = new Questions();
+    private final TypedText typed = new TypedText();
     private final NetOverlay overlay = new NetOverlay();
     private final NetPreview preview = new NetPreview();
     private final BackgroundWork background = new BackgroundWork(notices::refused);
@@ -113,6 +114,11 @@ public final class DreammContext implements AutoCloseable {
     /** What the author is asked at the top of the window. */
     public Questions questions() {
         return questions;
+    }
+
+    /** What the author has typed and the project has not got yet. */
+    public TypedText typed() {
+        return typed;
     }
 
     /** Where the domain comes from. */

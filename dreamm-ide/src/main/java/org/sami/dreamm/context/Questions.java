@@ -8,10 +8,26 @@ import java.util.Optional;
 /** What the author is asked, the oldest first; nothing waits for an answer. On the event thread. */
 public final class Questions {
     private final List<AuthorQuestion> open = new ArrayList<>();
+    private final List<AuthorQuestion> aside = new ArrayList<>();
     private final List<Runnable> listeners = new ArrayList<>();
 
-    /** Asks. */
+    /** Asks what a command of the author's has to know: the question takes the focus. */
     public void ask(AuthorQuestion question) {
+        put(question);
+    }
+
+    /** Asks because of something that the author has not done: what he types goes on where he types it. */
+    public void askAside(AuthorQuestion question) {
+        aside.add(question);
+        put(question);
+    }
+
+    /** Whether a question takes the focus. */
+    public boolean takesFocus(AuthorQuestion question) {
+        return !aside.contains(question);
+    }
+
+    private void put(AuthorQuestion question) {
         int before = indexOf(question.id());
         if (before >= 0) {
             open.set(before, question);
@@ -64,6 +80,7 @@ public final class Questions {
     }
 
     private void tell() {
+        aside.retainAll(open);
         List.copyOf(listeners).forEach(Runnable::run);
     }
 

@@ -38,6 +38,11 @@ record DiskVersion(Map<Path, String> hashes) {
         return new DiskVersion(hashes);
     }
 
+    /** Whether any file is there. */
+    boolean isThere() {
+        return !hashes.isEmpty();
+    }
+
     /** The file that holds the project itself. */
     static Path main(Path project) {
         return Files.isDirectory(project) ? project.resolve("project.json") : project;

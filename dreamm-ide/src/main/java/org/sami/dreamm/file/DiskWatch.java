@@ -1,7 +1,6 @@
 package org.sami.dreamm.file;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
@@ -19,6 +18,8 @@ final class DiskWatch implements AutoCloseable {
     private final ProjectFile file;
     private final Timer timer = new Timer(PERIOD_MS, e -> look());
     private boolean looking;
+    /** The other program's version about which the author was asked, so that it is asked about once. */
+    private Optional<DiskVersion> asked = Optional.empty();
 
     DiskWatch(DreammContext context, ProjectFile file) {
         this.context = Objects.requireNonNull(context, "context");
@@ -36,29 +37,41 @@ final class DiskWatch implements AutoCloseable {
         context.background().run("Looking at " + path.get(), () -> now(path.get()), now -> {
             looking = false;
             // what was saved or opened meanwhile is not another program's
-            if (context.document().file().equals(path) && file.seen().equals(seen) && !now.equals(seen.get())) {
-                changed(path.get(), now);
+            if (now.isPresent()
+                    && context.document().file().equals(path)
+                    && file.seen().equals(seen)) {
+                compare(path.get(), seen.get(), now.get());
             }
         });
     }
 
-    private static DiskVersion now(Path path) {
+    /** What is there now; nothing where it cannot be read, as while it is being written: the next look may. */
+    private static Optional<DiskVersion> now(Path path) {
         try {
-            return DiskVersion.of(path);
+            return Optional.of(DiskVersion.of(path));
         } catch (IOException unreadable) {
-            throw new UncheckedIOException(path + " cannot be read", unreadable);
+            return Optional.empty();
+        }
+    }
+
+    private void compare(Path path, DiskVersion seen, DiskVersion now) {
+        boolean isNew = !asked.equals(Optional.of(now));
+        asked = Optional.of(now);
+        if (now.equals(seen)) {
+            context.questions().withdraw(ID);
+        } else if (isNew) {
+            changed(path, now);
         }
     }
 
     private void changed(Path path, DiskVersion now) {
-        file.seen(now); // asked once for each version
-        if (now.hashes().isEmpty()) {
+        if (!now.isThere()) {
             context.notices().refused(path + " is no longer on disk; Save writes it again");
             return;
         }
         String mine = context.document().isModified() ? " Your changes can be had back by undo." : "";
         context.questions()
-                .ask(new AuthorQuestion(
+                .askAside(new AuthorQuestion(
                         ID,
                         path.getFileName() + " was changed by another program." + mine,
                         List.of(

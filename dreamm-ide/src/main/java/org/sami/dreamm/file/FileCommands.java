@@ -48,8 +48,7 @@ public final class FileCommands implements AutoCloseable {
                 .withKey("ctrl shift O"));
         add(new Command("project-save", "Save", () -> save(() -> {}))
                 .withKey("ctrl S")
-                .withIcon("file")
-                .unless(this::whyNotSave));
+                .withIcon("file"));
         add(new Command("project-save-as", "Save as a file…", () -> saveAs(() -> {})).withKey("ctrl shift S"));
         add(new Command("project-save-folder", "Save as a folder, one file for each plan…", this::saveAsFolder)
                 .withKey("alt shift S"));
@@ -109,12 +108,6 @@ public final class FileCommands implements AutoCloseable {
         return recent.all();
     }
 
-    private Optional<String> whyNotSave() {
-        return context.document().file().isPresent() && !context.document().isModified()
-                ? Optional.of("everything is saved")
-                : Optional.empty();
-    }
-
     private void begin() {
         String domain = context.vocabulary().domain();
         Project project = new Project(
@@ -134,6 +127,7 @@ public final class FileCommands implements AutoCloseable {
     }
 
     private void read(Path path) {
+        Project before = context.document().project();
         context.background()
                 .run(
                         "Opening " + path.getFileName(),
@@ -144,7 +138,7 @@ public final class FileCommands implements AutoCloseable {
                                 return Outcome.refused(String.valueOf(unfit.getMessage()));
                             }
                         },
-                        outcome -> outcome.show(context, this::opened));
+                        outcome -> outcome.show(context, read -> unsaved.guardSince(before, () -> opened(read))));
     }
 
     private void opened(ProjectFile.Read read) {
@@ -169,20 +163,27 @@ public final class FileCommands implements AutoCloseable {
 
     private void save(Runnable then) {
         context.document().giveBack();
+        context.typed().give();
         Optional<Path> path = context.document().file();
         if (path.isEmpty()) {
             saveAs(then);
             return;
         }
         try {
-            if (file.changedOnDisk().isPresent()) {
+            Optional<DiskVersion> other = file.changedOnDisk();
+            if (other.filter(DiskVersion::isThere).isPresent()) {
                 askToWriteOver(path.get(), then);
-                return;
+            } else if (other.isEmpty() && !context.document().isModified()) {
+                context.notices().show("Everything is saved in " + path.get());
+                then.run();
+            } else {
+                write(path.get(), then);
             }
         } catch (IOException unreadable) {
-            throw new UncheckedIOException(path.get() + " cannot be read", unreadable);
+            context.notices()
+                    .refused(path.get() + " is not saved, as it cannot be read: "
+                            + SaveFault.words(path.get(), unreadable));
         }
-        write(path.get(), then);
     }
 
     private void askToWriteOver(Path path, Runnable then) {
@@ -199,39 +200,44 @@ public final class FileCommands implements AutoCloseable {
 
     private void saveAs(Runnable then) {
         context.document().giveBack();
+        context.typed().give();
         String proposed = context.document()
                 .file()
                 .map(path -> path.getFileName().toString().replaceFirst("\\.json$", ""))
                 .orElse(context.document().project().id());
-        dialogs.save("Save the project", proposed).ifPresent(path -> {
-            if (Files.isRegularFile(path)
-                    && !Optional.of(path).equals(context.document().file())) {
-                askToReplace(path, then);
-            } else {
-                write(path, then);
-            }
-        });
+        dialogs.save("Save the project", proposed).ifPresent(path -> writeOrAsk(path, then, () -> saveAs(then)));
     }
 
-    private void askToReplace(Path path, Runnable then) {
+    /** Writes where nothing of somebody else's would go; else the author is asked first. */
+    private void writeOrAsk(Path path, Runnable then, Runnable chooseAgain) {
+        if (Files.exists(DiskVersion.main(path)) && !file.isOwn(path)) {
+            askToReplace(path, then, chooseAgain);
+        } else {
+            write(path, then);
+        }
+    }
+
+    private void askToReplace(Path path, Runnable then, Runnable chooseAgain) {
+        String there = Files.isDirectory(path) ? "a project in the folder " : "a file ";
         context.questions()
                 .ask(new AuthorQuestion(
                         "file-there",
-                        "There is a file " + path.getFileName() + " already.",
+                        "There is " + there + path.getFileName() + " already.",
                         List.of(
                                 new AuthorQuestion.Choice("file-replace", "Replace it", () -> write(path, then)),
-                                new AuthorQuestion.Choice("file-other", "Choose another…", () -> saveAs(then)),
+                                new AuthorQuestion.Choice("file-other", "Choose another…", chooseAgain),
                                 new AuthorQuestion.Choice("file-stay", "Stay here", () -> {})),
                         () -> {}));
     }
 
     private void saveAsFolder() {
         context.document().giveBack();
+        context.typed().give();
         dialogs.folder("Save the project as a folder with one file for each plan")
                 .ifPresent(path -> {
                     try {
                         Files.createDirectories(path);
-                        write(path, () -> {});
+                        writeOrAsk(path, () -> {}, this::saveAsFolder);
                     } catch (IOException fault) {
                         context.notices().refused(path + " cannot be made: " + SaveFault.words(path, fault));
                     }

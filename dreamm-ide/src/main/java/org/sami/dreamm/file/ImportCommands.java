@@ -9,6 +9,7 @@ import org.sami.dreamm.context.DreammContext;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.legacy.LegacyImport;
 import org.sami.spn.legacy.LegacyTable;
+import org.sami.spn.model.Project;
 import org.sami.ui.command.Command;
 
 /** Brings in what other programs have written. On the event thread. */
@@ -48,11 +49,12 @@ final class ImportCommands {
     }
 
     private void readLegacy(Path export) {
+        Project before = context.document().project();
         context.background()
                 .run(
                         "Importing " + export.getFileName(),
                         () -> new LegacyImport(context.vocabulary(), table()).read(export),
-                        result -> imported(export, result));
+                        result -> unsaved.guardSince(before, () -> imported(export, result)));
     }
 
     private LegacyTable table() {

@@ -92,13 +92,13 @@ public final class ProjectFile {
     }
 
     /**
-     * Saves the document. A folder gets a file for each plan, and loses those of plans that are gone.
+     * Saves the document. A folder gets a file for each plan; the document's own folder loses those of plans that are gone, another one no file.
      *
      * @throws IOException if it cannot be written; what was there before is still there
      */
     public void save(Path path) throws IOException {
         Path home = path.toAbsolutePath().normalize();
-        Set<Path> before = Files.isDirectory(home) ? DiskVersion.planFiles(home) : Set.of();
+        Set<Path> before = Files.isDirectory(home) && isOwn(home) ? DiskVersion.planFiles(home) : Set.of();
         new ProjectWriter(document.vocabulary()).write(document.project(), home);
         if (Files.isDirectory(home)) {
             for (Path file : before) {
@@ -111,14 +111,17 @@ public final class ProjectFile {
         document.saved(home);
     }
 
+    /** Whether a path is where the document comes from and is saved to. */
+    boolean isOwn(Path path) {
+        return document.file()
+                .map(own -> own.toAbsolutePath().normalize())
+                .filter(path.toAbsolutePath().normalize()::equals)
+                .isPresent();
+    }
+
     /** What was last read from the file, or written to it. */
     Optional<DiskVersion> seen() {
         return seen;
-    }
-
-    /** The other program's version is known now and is not reported again. */
-    void seen(DiskVersion version) {
-        seen = Optional.of(version);
     }
 
     /** What is on disk now, where it is not what was last seen there. */

@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.function.Consumer;
 import org.sami.dreamm.context.AuthorQuestion;
 import org.sami.dreamm.context.DreammContext;
+import org.sami.spn.model.Project;
 
 /** Stands before whatever would lose changes: the author is asked first. On the event thread. */
 final class UnsavedChanges {
@@ -23,9 +24,19 @@ final class UnsavedChanges {
         this.save = Objects.requireNonNull(save, "save");
     }
 
+    /** Goes on at once where nothing has changed since a project was as it is here; else as {@link #guard}. For what took its time. */
+    void guardSince(Project then, Runnable next) {
+        if (context.document().project().equals(then)) {
+            next.run();
+        } else {
+            guard(next);
+        }
+    }
+
     /** Goes on at once where nothing is unsaved; else when the author has saved, or does not want to. */
     void guard(Runnable next) {
         context.document().giveBack(); // what is shown only is nobody's work
+        context.typed().give();
         if (!context.document().isModified()) {
             context.questions().withdraw(ID);
             next.run();

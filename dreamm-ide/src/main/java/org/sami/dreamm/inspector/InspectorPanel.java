@@ -21,6 +21,7 @@ import org.sami.spn.edit.EdgeEdit;
 import org.sami.spn.finding.Finding;
 import org.sami.spn.model.Place;
 import org.sami.spn.model.Plan;
+import org.sami.spn.model.Project;
 import org.sami.spn.model.Transition;
 import org.sami.spn.vocabulary.Direction;
 import org.sami.spn.wizard.EventTarget;
@@ -74,6 +75,7 @@ public final class InspectorPanel extends JPanel {
                 "wmin 0, h " + STRIP
                         + "!, hidemode 3"); // as high with findings as without, so that nothing moves as they come
         context.document().addListener(change -> rebuild());
+        context.typed().add(this::takeWhatIsTyped);
         live.addListener(this::findingsChanged);
         context.editor().addListener(new EditorListener() {
             @Override
@@ -112,6 +114,15 @@ public final class InspectorPanel extends JPanel {
             Pending.give(column);
         } finally {
             giving = false;
+        }
+    }
+
+    /** The project is about to be saved or left: what stands in the fields is of it. */
+    private void takeWhatIsTyped() {
+        Project before = context.document().project();
+        giveWhatIsTyped();
+        if (!before.equals(context.document().project())) {
+            rebuild();
         }
     }
 

@@ -1,6 +1,8 @@
 package org.sami.dreamm.window;
 
+import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
+import java.util.Optional;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -19,6 +21,7 @@ import org.sami.ui.look.LookColors;
 final class QuestionBar extends JPanel {
     private final transient Questions questions;
     private final JLabel text = new JLabel();
+    private transient Optional<AuthorQuestion> shown = Optional.empty();
 
     QuestionBar(Questions questions) {
         super(new MigLayout("insets 8 12 8 12, gap 8", "[grow, fill][]", "[]"));
@@ -37,13 +40,19 @@ final class QuestionBar extends JPanel {
     }
 
     private void showCurrent() {
+        Optional<AuthorQuestion> now = questions.current();
+        boolean takesFocus = now.isPresent()
+                && (isAncestorOf(KeyboardFocusManager.getCurrentKeyboardFocusManager()
+                                .getFocusOwner())
+                        || (!now.equals(shown) && questions.takesFocus(now.get())));
+        shown = now;
         removeAll();
         questions.current().ifPresent(this::fill);
         setVisible(questions.current().isPresent());
         style();
         revalidate();
         repaint();
-        if (isVisible() && getComponentCount() > 1) {
+        if (takesFocus && getComponentCount() > 1) {
             getComponent(1).requestFocusInWindow();
         }
     }

@@ -52,6 +52,19 @@ class ProjectFileTest {
     }
 
     @Test
+    void savingInTheFolderOfAnotherProjectDeletesNoPlanOfIt() throws IOException {
+        ProjectDocument other = new ProjectDocument(
+                DOMAIN.vocabulary(), DOMAIN.projectOf("station-keep").orElseThrow(), Optional.empty());
+        new ProjectFile(other).save(folder);
+        assertThat(folder.resolve("plans/station-keep.json")).exists();
+
+        file.save(folder);
+
+        assertThat(folder.resolve("plans/station-keep.json")).exists();
+        assertThat(file.read(folder).project()).isEqualTo(document.project());
+    }
+
+    @Test
     void aFoldersProjectFileOpensTheFolder() throws IOException {
         file.save(folder);
 
