@@ -156,6 +156,37 @@ class BoatQuestionsTest {
     }
 
     @Test
+    void anAnswerAfterARestartOfTheBaseIsStillAboutTheBaseThatAsked() {
+        boat().receive(new LinkCodec().encode(1_000_000, new CommandAsked("other")), world.nowMillis());
+        world.run(1);
+        world = new TestWorld(engine);
+        world.addBoat("a", 0, 0);
+        world.run(3);
+        assertThat(asked()).hasSize(1);
+
+        answer(true); // the boat knows no such client, and says so
+
+        assertThat(world.operator.messages().messages())
+                .extracting(OperatorMessage::text)
+                .anyMatch(text -> text.startsWith("a refuses: "));
+    }
+
+    @Test
+    void aWishThatIsRepeatedAfterARestartOfTheBaseIsAskedAboutOnce() {
+        byte[] wish = new LinkCodec().encode(1_000_000, new CommandAsked("other"));
+        boat().receive(wish, world.nowMillis());
+        world.run(1);
+        world = new TestWorld(engine);
+        world.addBoat("a", 0, 0);
+        world.run(3);
+
+        boat().receive(wish, world.nowMillis());
+        world.run(1);
+
+        assertThat(asked()).hasSize(1);
+    }
+
+    @Test
     void theSimulatedOperatorAllowsItUnlessItIsToldOtherwise() {
         world.startServer("a", "a-boot2");
         world.run(5);

@@ -1,6 +1,7 @@
 package org.sami.crw.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Path;
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.Progress;
+import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Telemetry;
@@ -37,37 +39,61 @@ class ArduPilotCopterTest {
     private Path work;
 
     @Test
-    void takesOffFliesAPathStopsInTheAirAndLands() throws Exception {
+    void takesOffFliesAPathStopsInTheAirAndLandsUnderAnotherBase() throws Exception {
         assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
-        try (ArduPilotBoats copters = ArduPilotBoats.copters(NUMBER, 1, SPEED, work)) {
-            LinkClient client =
-                    new LinkClient(work.resolve("vehicles"), ArduPilotBoats.address(NUMBER) + "/" + (NUMBER + 1));
-            try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
-                Telemetry start = client.last(Telemetry.class).orElseThrow();
+        try (ArduPilotBoats copters = ArduPilotBoats.copters(NUMBER, 1, SPEED, work);
+                SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
+            LinkClient first = base();
+            try {
+                Telemetry start = now(first);
                 assertThat(start.altM().orElseThrow()).isBetween(-GROUND_M, GROUND_M);
+
                 List<Waypoint> out = List.of(off(start, 0, 20), off(start, 40, 20), off(start, 400, 25));
-                fly(client, "out", out);
-                Await.until("it has passed the second place", FLIGHT_S, () -> reached(client, "out", 2));
+                fly(first, "out", out);
+                Await.until("it has passed the second place", FLIGHT_S, () -> reached(first, "out", 2));
+                assertThat(first.ask(new StopMotors("stop"))).isInstanceOf(Ack.class);
+                Await.until("it keeps its place", FLIGHT_S, () -> now(first).mode() == BoatMode.HOLD);
+                assertThat(now(first).altM().orElseThrow()).isGreaterThan(15);
+                first.close();
 
-                assertThat(client.ask(new StopMotors("stop"))).isInstanceOf(Ack.class);
-                Await.until("it keeps its place", FLIGHT_S, () -> now(client).mode() == BoatMode.HOLD);
-                assertThat(now(client).altM().orElseThrow()).isGreaterThan(15);
+                landUnderAnotherBase(start);
 
-                fly(client, "back", List.of(off(start, 0, 20), off(start, 0, 0)));
-                Await.until(
-                        "it has landed",
-                        FLIGHT_S,
-                        () -> client.hasHeard(message -> message instanceof Progress there
-                                && there.listId().equals("back")
-                                && there.completed()));
-
-                assertThat(now(client).altM().orElseThrow()).isBetween(-GROUND_M, GROUND_M);
                 assertThat(truth.nearestM(out.get(1).latDeg(), out.get(1).lonDeg()))
                         .isLessThan(RADIUS_M);
-                assertThat(client.isObserver()).isFalse();
+                assertThat(first.isObserver()).isFalse();
             } finally {
-                client.close();
+                first.close();
             }
+        }
+    }
+
+    private LinkClient base() {
+        return new LinkClient(work.resolve("vehicles"), ArduPilotBoats.address(NUMBER) + "/" + (NUMBER + 1));
+    }
+
+    private void landUnderAnotherBase(Telemetry start) {
+        LinkClient second = base();
+        try {
+            Await.until(
+                    "the base that meets it in the air reads its home",
+                    FLIGHT_S,
+                    () -> second.last(SettingsReport.class)
+                            .flatMap(SettingsReport::home)
+                            .isPresent());
+            Waypoint home =
+                    second.last(SettingsReport.class).orElseThrow().home().orElseThrow();
+            assertThat(home.latDeg()).isCloseTo(start.latDeg(), within(RADIUS_M / DEGREE_M));
+            assertThat(home.lonDeg()).isCloseTo(start.lonDeg(), within(RADIUS_M / DEGREE_M));
+
+            fly(second, "back", List.of(off(start, 0, 20), off(start, 0, 0)));
+            Await.until(
+                    "it has landed",
+                    FLIGHT_S,
+                    () -> second.hasHeard(message ->
+                            message instanceof Progress there && there.listId().equals("back") && there.completed()));
+            assertThat(now(second).altM().orElseThrow()).isBetween(-GROUND_M, GROUND_M);
+        } finally {
+            second.close();
         }
     }
 

@@ -22,9 +22,11 @@ import org.sami.spn.protocol.Priority;
 /**
  * Questions to the operator about single boats outside of plans: whether a restarted boat may move again, and whether another base may take one. The
  * handler carries out the answer on the boat. The session's journal keeps the last known start of each boat, so that a restart while the base was
- * down is noticed too. For the fleet's thread; it passes the engine's steps on to it.
+ * down is noticed too, and who wishes to command it, so that an answer to an earlier process counts. For the fleet's thread; it passes the engine's steps on to it.
  */
 public final class BoatQuestions implements Consumer<FleetEvent>, HostListener {
+    private static final String NOBODY = "";
+
     private final EngineHost host;
     private final ProxyRegistry boats;
     private final Executor fleet;
@@ -50,7 +52,7 @@ public final class BoatQuestions implements Consumer<FleetEvent>, HostListener {
             onRestartAllowed(allowed.status());
         } else if (event instanceof FleetEvent.CommandAsked asked) {
             onCommandAsked(asked.boat(), asked.client());
-        } else if (event instanceof FleetEvent.CommanderChanged commander) {
+        } else if (event instanceof FleetEvent.CommanderChanged commander && !commander.commands()) {
             withdrawAsked(commander.boat());
         } else if (event instanceof FleetEvent.Retired retired) {
             onRetired(retired.boat());
@@ -81,24 +83,35 @@ public final class BoatQuestions implements Consumer<FleetEvent>, HostListener {
     }
 
     private void onCommandAsked(String boatId, String clientId) {
-        if (askers.put(boatId, clientId) != null) {
-            withdraw(DomainQuestion.COMMAND_ASKED, boatId);
-        }
-        host.post(new Input.AskOperator(
-                DomainQuestion.COMMAND_ASKED.kind(),
-                boatId,
-                clientId + " wishes to command " + boatId + ". Is it to have it?",
-                Priority.HIGH));
+        withdrawAsked(boatId);
+        askers.put(boatId, clientId);
+        host.post(List.of(
+                SessionMemory.ASKER.remember(boatId, clientId),
+                new Input.AskOperator(
+                        DomainQuestion.COMMAND_ASKED.kind(),
+                        boatId,
+                        clientId + " wishes to command " + boatId + ". Is it to have it?",
+                        Priority.HIGH)));
     }
 
     private void withdrawAsked(String boatId) {
-        if (askers.remove(boatId) != null) {
+        if (takeAsker(boatId).isPresent()) {
             withdraw(DomainQuestion.COMMAND_ASKED, boatId);
         }
     }
 
+    /** The base that wishes to command a boat, which was asked about by this process or an earlier one; nobody is asked about it any more. */
+    private Optional<String> takeAsker(String boatId) {
+        Optional<String> asker = Optional.ofNullable(askers.remove(boatId))
+                .or(() -> SessionMemory.ASKER.of(boatId, host).filter(known -> !known.isEmpty()));
+        if (asker.isPresent()) {
+            host.post(SessionMemory.ASKER.remember(boatId, NOBODY));
+        }
+        return asker;
+    }
+
     private void onRetired(String boatId) {
-        askers.remove(boatId);
+        takeAsker(boatId);
         restarts.remove(boatId);
         for (DomainQuestion question : DomainQuestion.values()) {
             if (question != DomainQuestion.BOAT_RESTARTED) {
@@ -135,7 +148,7 @@ public final class BoatQuestions implements Consumer<FleetEvent>, HostListener {
         }
         DomainQuestion.of(answered.kind()).ifPresent(question -> {
             if (question == DomainQuestion.COMMAND_ASKED) {
-                Optional.ofNullable(askers.remove(answered.about()))
+                takeAsker(answered.about())
                         .filter(client -> answered.yes())
                         .ifPresent(boat.get().handOver()::grantCommand);
             }

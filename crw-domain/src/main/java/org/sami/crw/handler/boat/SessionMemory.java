@@ -1,6 +1,7 @@
 package org.sami.crw.handler.boat;
 
 import java.util.Optional;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
@@ -14,6 +15,8 @@ enum SessionMemory {
     BATTERY("battery/"),
     /** The waypoint list that was sent to it last and that it took. */
     LIST("list/"),
+    /** The base that wishes to command it, while the operator is asked; empty text for none. */
+    ASKER("asker/"),
     /** Who has taken the boat over from the missions, as last reported to plans; empty text for none. */
     TAKEN_OVER("taken-over/");
 
@@ -24,7 +27,11 @@ enum SessionMemory {
     }
 
     Optional<String> of(String boatId, EngineHost host) {
-        return host.ask(view -> view.memory(Ids.NONE, prefix + boatId))
+        return host.ask(view -> of(boatId, view));
+    }
+
+    Optional<String> of(String boatId, EngineView view) {
+        return view.memory(Ids.NONE, prefix + boatId)
                 .filter(TextValue.class::isInstance)
                 .map(value -> ((TextValue) value).value());
     }

@@ -42,6 +42,8 @@ public final class UnknownBoats implements HostListener {
                 unknown.removeAll(seen);
                 if (!unknown.isEmpty()) {
                     unknown.removeAll(view.proxies());
+                    unknown.removeIf(boat ->
+                            SessionMemory.BOOT.of(boat, view).isPresent()); // dropped before a restart of the base
                     tell(activated.activation(), unknown);
                 }
             }
