@@ -68,7 +68,8 @@ public final class UavHandlers implements HandlerModule {
         SearchAroundHandler search = new SearchAroundHandler(flights, sightings);
         parts.addMotion(UavEvents.SEARCH_AROUND, search);
         parts.listen((Consumer<FleetEvent>) search);
-        FollowHandler follow = new FollowHandler(parts.robots(), flights, parts.motion(), parts.fleet());
+        FollowHandler follow =
+                new FollowHandler(parts.robots(), flights, parts.motion(), parts.messages(), parts.fleet());
         parts.addMotion(UavEvents.FOLLOW, follow);
         parts.listen((Consumer<FleetEvent>) follow);
         parts.listen((HostListener) follow);

@@ -60,6 +60,9 @@ final class FlightHandlerHarness implements HandlerContext {
     private final List<Activation> given = new ArrayList<>();
     private long activations;
 
+    /** Whether activations are delivered again by a base that goes on. */
+    boolean isRedelivered;
+
     /** Whether activations stay open. */
     boolean areOpen;
 
@@ -206,6 +209,6 @@ final class FlightHandlerHarness implements HandlerContext {
 
     @Override
     public boolean redelivered() {
-        return false;
+        return isRedelivered;
     }
 }

@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.motion.PathProgress;
-import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Token;
@@ -20,7 +19,6 @@ import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.ListValue;
-import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TaskId;
@@ -278,36 +276,6 @@ class FlightHandlersTest {
         harness.proxy("copter1").abort("its camera is gone");
 
         assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY);
-    }
-
-    @Test
-    void followersFlyAtAltitudesOfTheirOwn() {
-        FlightHandlerHarness harness = harness(3);
-        FollowHandler follow =
-                new FollowHandler(harness.fleet.proxies(), harness.flights, harness.motion, Runnable::run);
-        harness.listen(follow);
-        harness.activate(follow, Map.of("robot", new ProxyValue("copter1")), "copter2", "copter3");
-
-        assertThat(List.of("copter2", "copter3"))
-                .extracting(name -> ((FollowPath)
-                                harness.proxy(name).commands().current().orElseThrow())
-                        .points()
-                        .get(0)
-                        .altM())
-                .containsExactly(34.0, 38.0);
-    }
-
-    @Test
-    void refusedFollowIsSaidOnce() {
-        FlightHandlerHarness harness = harness(2);
-        FollowHandler follow =
-                new FollowHandler(harness.fleet.proxies(), harness.flights, harness.motion, Runnable::run);
-        harness.listen(follow);
-        harness.activate(follow, Map.of("robot", new ProxyValue("copter1"), "altitude", new RealValue(200)), "copter2");
-        harness.activate(flyTo(harness), Map.of("location", POST), "copter1");
-        harness.pass(60);
-
-        assertThat(harness.messages).singleElement().asString().contains("above the ceiling");
     }
 
     @Test

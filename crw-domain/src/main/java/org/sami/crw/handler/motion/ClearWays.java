@@ -44,17 +44,43 @@ public final class ClearWays {
         }
         List<Move> limited = new ArrayList<>();
         for (Move move : moves) {
-            String boat = move.addressee().boat();
-            Optional<GeoPoint> from =
-                    boats.find(boat).flatMap(proxy -> proxy.status().pose()).map(BoatPose::position);
-            List<GeoPoint> points = move.command().unvisitedPoints();
-            Optional<Water> water = points.isEmpty() ? Optional.empty() : limits.water(from, points, errors.of(boat));
-            limited.add(water.map(one -> move.with(move.command().in(one))).orElse(move));
+            Optional<GeoPoint> from = position(move);
+            Optional<Water> water = water(limits, move);
+            limited.add(in(water, move));
             if (from.isPresent() && water.isPresent()) {
+                List<GeoPoint> points = move.command().unvisitedPoints();
                 tellOfDanger(activation, context, move, from.get(), points, water.get());
             }
         }
         return limited;
+    }
+
+    /** The same move in the water of some limits; nobody is told of dangers. */
+    Move limit(WayLimits limits, Move move) {
+        return limits.avoid().isEmpty() && limits.within().isEmpty() ? move : in(water(limits, move), move);
+    }
+
+    private static Move in(Optional<Water> water, Move move) {
+        return water.map(one -> move.with(move.command().in(one))).orElse(move);
+    }
+
+    private Optional<Water> water(WayLimits limits, Move move) {
+        List<GeoPoint> points = move.command().unvisitedPoints();
+        return points.isEmpty()
+                ? Optional.empty()
+                : limits.water(
+                        position(move), points, errors.of(move.addressee().boat()));
+    }
+
+    private Optional<GeoPoint> position(Move move) {
+        return boats.find(move.addressee().boat())
+                .flatMap(proxy -> proxy.status().pose())
+                .map(BoatPose::position);
+    }
+
+    /** How far boats may be off their ways. */
+    BoatErrors errors() {
+        return errors;
     }
 
     private void tellOfDanger(

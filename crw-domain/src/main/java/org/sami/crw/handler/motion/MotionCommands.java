@@ -20,6 +20,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.queue.Withdrawal;
+import org.sami.crw.proxy.status.BoatPose;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
@@ -46,6 +47,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     private final Map<Long, Set<String>> takenBack = new HashMap<>();
     private final LeftPaths left;
     private final MovesAwaitingPosition awaitingPosition;
+    private final UnaskedMoves unasked;
 
     public MotionCommands(ProxyRegistry boats, MessageSink messages, WayQuestions questions, ClearWays clearWays) {
         this.clearWays = clearWays;
@@ -54,6 +56,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         this.messages = messages;
         left = new LeftPaths(boats);
         awaitingPosition = new MovesAwaitingPosition(boats);
+        unasked = new UnaskedMoves(clearWays, questions, clearWays.errors());
     }
 
     /** What boats have left of their paths. */
@@ -74,6 +77,27 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         check(activation, context, awaitingPosition.hold(activation, context, wanted));
     }
 
+    /**
+     * Gives a robot a command to a place that the program chooses and changes within seconds, as where it follows another robot. It keeps clear of what the plan
+     * avoids and in what it is to stay in, and in the session's fence. The operator is not asked: where something is wrong, nothing is sent, and what the
+     * robot had before stands.
+     *
+     * @return why it is not sent, a clause; empty where it is
+     */
+    public Optional<String> sendUnasked(Activation activation, HandlerContext context, Move move) {
+        Optional<GeoPoint> from = boats.find(move.addressee().boat())
+                .flatMap(boat -> boat.status().pose())
+                .map(BoatPose::position);
+        if (from.isEmpty()) {
+            return Optional.of(move.addressee().boat() + " has not said where it is");
+        }
+        UnaskedMoves.Judged judged = unasked.judge(activation, context, move, from.get());
+        if (judged.refusal().isEmpty()) {
+            submit(activation, context, List.of(judged.move()));
+        }
+        return judged.refusal();
+    }
+
     private void check(Activation activation, HandlerContext context, List<Move> moves) {
         List<Move> limited = clearWays.limit(activation, context, moves);
         List<Move> clear = questions.hold(activation, context, limited, new MoveSender() {
@@ -91,8 +115,15 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         sendNow(activation, context, clear);
     }
 
-    /** What is settled at once is answered in one batch. */
     private void sendNow(Activation activation, HandlerContext context, List<Move> moves) {
+        submit(activation, context, moves);
+        SpeedChoice.words(activation)
+                .filter(words -> !moves.isEmpty())
+                .ifPresent(words -> tell(activation, context, words));
+    }
+
+    /** What is settled at once is answered in one batch. */
+    private void submit(Activation activation, HandlerContext context, List<Move> moves) {
         List<Input> settled = new ArrayList<>();
         for (Move move : moves) {
             SentCommand one = new SentCommand(activation, context, move);
@@ -109,9 +140,6 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                 boat.get().commands().submit(SpeedChoice.of(activation, move.command(), boat.get()));
             }
         }
-        SpeedChoice.words(activation)
-                .filter(words -> !moves.isEmpty())
-                .ifPresent(words -> tell(activation, context, words));
         if (!settled.isEmpty()) {
             context.post(settled);
         }

@@ -102,6 +102,12 @@ public final class WayQuestions implements HostListener {
         return clear;
     }
 
+    /** What is wrong with the way of a move, so that the operator would be asked before it is sent; nobody is asked now. */
+    Optional<WayDoubt> doubt(Activation activation, HandlerContext context, Move move) {
+        List<GeoArea> avoid = context.query(view -> PlanAreas.avoided(activation, view));
+        return move.doubt().or(() -> way(activation, move, avoid).flatMap(WayCheck::doubt));
+    }
+
     private Optional<WayBack> wayBack(Way way) {
         return boats.find(way.boat()).flatMap(BoatProxy::home).flatMap(home -> WayBack.of(way, home));
     }
