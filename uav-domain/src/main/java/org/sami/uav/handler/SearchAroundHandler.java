@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.motion.Reply;
+import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -19,7 +20,8 @@ import org.sami.spn.value.Value;
 
 /**
  * Search Around: each aircraft flies a ring around the place where it is, at its altitude, and answers with the first target that its detector saw
- * within the ring, or with none. One that is not in the air cannot. For the fleet's thread.
+ * within the ring, or with none. One that is not in the air cannot. The mission remembers where a ring is and the first target seen within it, for a base that goes on
+ * with the search. For the fleet's thread.
  */
 final class SearchAroundHandler implements ActivationHandler, Consumer<FleetEvent> {
     private static final int CORNERS = 8;
@@ -27,16 +29,62 @@ final class SearchAroundHandler implements ActivationHandler, Consumer<FleetEven
     private static final double RADIUS_M = 50;
     private static final Reply REPLY = new Reply("", UavEvents.CANNOT_FLY, "", true);
 
+    private static final String MIDDLE = "middle";
+    private static final String SEEN = "seen";
+
     private final Flights flights;
-    private final Sightings sightings;
     private final Map<String, Search> byAircraft = new HashMap<>();
 
-    private record Search(
-            Activation activation, HandlerContext context, Addressee aircraft, GeoPoint middle, double radiusM) {}
+    /** One aircraft's search. */
+    private static final class Search {
+        final Activation activation;
+        final HandlerContext context;
+        final Addressee aircraft;
+        final GeoPoint middle;
+        final double radiusM;
+        Optional<GeoPoint> seen; // the first target
+
+        Search(Activation activation, HandlerContext context, Addressee aircraft, GeoPoint here, double radiusM) {
+            this.activation = activation;
+            this.context = context;
+            this.aircraft = aircraft;
+            this.radiusM = radiusM;
+            middle = recalled(MIDDLE).orElse(here);
+            seen = recalled(SEEN);
+        }
+
+        private Optional<GeoPoint> recalled(String what) {
+            return !context.redelivered()
+                    ? Optional.empty()
+                    : context.query(view -> view.memory(activation.mission(), key(what)))
+                            .filter(GeoPoint.class::isInstance)
+                            .map(GeoPoint.class::cast);
+        }
+
+        void remember(String what, GeoPoint at) {
+            context.post(new Input.Remember(activation.mission(), key(what), at));
+        }
+
+        private String key(String what) {
+            return "search/" + activation.id() + "/" + aircraft.boat() + "/" + what;
+        }
+
+        boolean isWithin(GeoPoint at) {
+            return Geodesy.distanceM(middle, at) <= radiusM;
+        }
+    }
 
     SearchAroundHandler(Flights flights, Sightings sightings) {
         this.flights = flights;
-        this.sightings = sightings;
+        sightings.listen((aircraft, number, at) -> seen(aircraft, at));
+    }
+
+    private void seen(String aircraft, GeoPoint at) {
+        Search search = byAircraft.get(aircraft);
+        if (search != null && search.seen.isEmpty() && search.isWithin(at)) {
+            search.seen = Optional.of(at);
+            search.remember(SEEN, at);
+        }
     }
 
     @Override
@@ -55,7 +103,7 @@ final class SearchAroundHandler implements ActivationHandler, Consumer<FleetEven
         if (!flights.isAirborne(aircraft)) {
             return new Flights.Flight(search.aircraft, List.of(), SPEED_MPS);
         }
-        sightings.begin(aircraft);
+        search.remember(MIDDLE, search.middle);
         byAircraft.put(aircraft, search);
         return new Flights.Flight(search.aircraft, ring(search.middle, search.radiusM), SPEED_MPS);
     }
@@ -75,18 +123,24 @@ final class SearchAroundHandler implements ActivationHandler, Consumer<FleetEven
     @Override
     public void accept(FleetEvent event) {
         if (event instanceof FleetEvent.CommandCompleted done) {
-            Search search = byAircraft.get(done.boat());
-            if (search != null && search.activation.id() == done.command().activation()) {
-                byAircraft.remove(done.boat());
-                answer(search);
-            }
+            over(done.command(), done.boat()).ifPresent(this::answer);
+        } else if (event instanceof FleetEvent.CommandFailed failed) {
+            over(failed.command(), failed.boat());
+        } else if (event instanceof FleetEvent.CommandWithdrawn withdrawn) {
+            over(withdrawn.command(), withdrawn.boat());
         }
     }
 
+    /** The search of which a command was the flight: it looks for nothing more. */
+    private Optional<Search> over(BoatCommand command, String aircraft) {
+        Optional<Search> search = Optional.ofNullable(byAircraft.get(aircraft))
+                .filter(one -> one.activation.id() == command.activation());
+        search.ifPresent(one -> byAircraft.remove(aircraft));
+        return search;
+    }
+
     private void answer(Search search) {
-        Optional<GeoPoint> seen = sightings.of(search.aircraft.boat()).values().stream()
-                .filter(at -> Geodesy.distanceM(search.middle, at) <= search.radiusM)
-                .findFirst();
+        Optional<GeoPoint> seen = search.seen;
         String type = seen.isPresent() ? UavEvents.TARGET_SEEN : UavEvents.NOTHING_SEEN;
         Map<String, Value> values =
                 seen.map(at -> Map.<String, Value>of("at", at)).orElse(Map.of());

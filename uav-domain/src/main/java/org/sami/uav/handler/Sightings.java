@@ -1,9 +1,7 @@
 package org.sami.uav.handler;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.Consumer;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.status.BoatReading;
@@ -18,7 +16,6 @@ final class Sightings implements Consumer<FleetEvent> {
 
     private static final int VALUES = 3;
 
-    private final Map<String, Map<Integer, GeoPoint>> byAircraft = new LinkedHashMap<>();
     private final List<Listener> listeners = new ArrayList<>();
 
     /** Hears of each report, also of a target that was seen before. */
@@ -31,25 +28,12 @@ final class Sightings implements Consumer<FleetEvent> {
         listeners.add(listener);
     }
 
-    /** Forgets what an aircraft has seen: a new search begins. */
-    void begin(String aircraft) {
-        byAircraft.remove(aircraft);
-    }
-
-    /** What it has seen since then, by number, in the order in which it saw it. */
-    Map<Integer, GeoPoint> of(String aircraft) {
-        return byAircraft.getOrDefault(aircraft, Map.of());
-    }
-
     @Override
     public void accept(FleetEvent event) {
         if (event instanceof FleetEvent.Measured measured && isTarget(measured.reading())) {
             List<Double> values = measured.reading().values();
             int number = (int) Math.round(values.get(0));
             GeoPoint at = GeoPoint.of(values.get(1), values.get(2));
-            byAircraft
-                    .computeIfAbsent(measured.boat(), name -> new LinkedHashMap<>())
-                    .put(number, at);
             listeners.forEach(listener -> listener.onTarget(measured.boat(), number, at));
         }
     }

@@ -133,6 +133,15 @@ final class FlightHandlerHarness implements HandlerContext {
                 List.of(),
                 Priority.MEDIUM);
         given.add(activation);
+        handle(handler, activation);
+    }
+
+    /** The last activation comes to a handler once more. */
+    void activateAgain(ActivationHandler handler) {
+        handle(handler, given.get(given.size() - 1));
+    }
+
+    private void handle(ActivationHandler handler, Activation activation) {
         try {
             handler.handle(activation, this);
         } catch (Exception e) {

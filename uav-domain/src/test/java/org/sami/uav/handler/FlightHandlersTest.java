@@ -9,8 +9,10 @@ import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.motion.PathProgress;
+import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Token;
@@ -267,6 +269,37 @@ class FlightHandlersTest {
 
         assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY);
         assertThat(harness.answers.get(0).values()).containsEntry("reason", new TextValue("it is not in the air"));
+    }
+
+    @Test
+    void searchGoesOnAroundItsMiddleWithWhatWasSeenBeforeARestartOfTheBase() {
+        FlightHandlerHarness harness = harness(1);
+        takeOff(harness, "copter1");
+        harness.pass(60);
+        GeoPoint middle = harness.flights.position("copter1").orElseThrow();
+        GeoPoint target = Flights.at(Geodesy.offset(middle, 10, 10), 0);
+        Sightings first = new Sightings();
+        harness.activate(new SearchAroundHandler(harness.flights, first), Map.of(), "copter1");
+        first.accept(new FleetEvent.Measured(
+                "copter1",
+                new BoatReading(
+                        "camera", Sightings.CHANNEL, List.of(7.0, target.latDeg(), target.lonDeg()), "", middle, 0)));
+        harness.pass(10);
+        assertThat(Geodesy.distanceM(middle, harness.flights.position("copter1").orElseThrow()))
+                .as("it is on its ring")
+                .isGreaterThan(10);
+
+        harness.isRedelivered = true;
+        harness.motion.withdraw(1, List.of()); // the base that goes on knows of no command
+        SearchAroundHandler again = new SearchAroundHandler(harness.flights, new Sightings());
+        harness.listen(again);
+        harness.activateAgain(again);
+        harness.pass(120);
+
+        assertThat(harness.answered()).containsExactly(UavEvents.AIRBORNE, UavEvents.TARGET_SEEN);
+        assertThat(harness.answers.get(1).values()).containsEntry("at", target);
+        assertThat(Geodesy.distanceM(middle, harness.flights.position("copter1").orElseThrow()))
+                .isLessThan(3);
     }
 
     @Test
