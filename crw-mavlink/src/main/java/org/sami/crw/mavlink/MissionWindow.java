@@ -189,7 +189,16 @@ final class MissionWindow {
         }
         MissionItem place = all.get(before);
         return new MissionItem(
-                slot(item), NAV_LOITER_UNLIMITED, place.frame(), place.latDeg(), place.lonDeg(), 0, 0, 0, 0, 0);
+                slot(item),
+                NAV_LOITER_UNLIMITED,
+                place.frame(),
+                place.latDeg(),
+                place.lonDeg(),
+                place.heightM(), // a copter stays as high as it is
+                0,
+                0,
+                0,
+                0);
     }
 
     /** Whether a vehicle that holds such a mission drives along the list up to the gate, or up to the end of this part. Homes are not compared. */

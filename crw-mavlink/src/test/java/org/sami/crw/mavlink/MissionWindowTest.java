@@ -64,6 +64,19 @@ class MissionWindowTest {
         assertThat(MissionWindow.found(all, all, 0).orElseThrow().size()).isEqualTo(LONG);
     }
 
+    @Test
+    void gateOfAPathInTheAirIsAsHighAsThePlaceBeforeIt() {
+        List<MissionItem> all = IntStream.range(0, LONG)
+                .mapToObj(i -> new MissionItem(i, 16, 3, 45 + i * 1e-4, 10, 20 + i * 0.01, 0, 0, 0, 0))
+                .toList();
+        MissionWindow window = MissionWindow.of(all, 1);
+
+        MissionItem gate = window.items().get(window.slot(window.gate()));
+
+        assertThat(gate.command()).isEqualTo(KEEPS_PLACE);
+        assertThat(gate.heightM()).isEqualTo(all.get(window.gate() - 1).heightM());
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {603, 700, 801, 1_000, 1_001, LONG, 20_002})
     void vehiclePassesEachItemOnceThroughAllParts(int size) {
