@@ -96,6 +96,9 @@ public sealed interface FleetEvent {
     /** The boat refuses this base, or a hand-over that it asked for, for a reason in words. */
     record Refused(String boat, String reason) implements FleetEvent {}
 
+    /** The release of a boat that the operator ordered is not asked for any longer, for a reason in words; the boat may still be stopped. */
+    record ReleaseDropped(String boat, String reason) implements FleetEvent {}
+
     // ---- commands
 
     /** Commands came into a boat's queue or left it, or another one has its turn. */

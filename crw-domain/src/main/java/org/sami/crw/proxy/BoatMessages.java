@@ -24,7 +24,6 @@ import org.sami.boat.link.Welcome;
 import org.sami.crw.fleet.DeferredEvents;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.execution.CommandDriver;
-import org.sami.crw.proxy.link.PendingRequests;
 import org.sami.crw.proxy.link.ProxyLink;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
@@ -48,7 +47,7 @@ final class BoatMessages {
     private final ProxyLink link;
     private final HandOver handOver;
     private final ProxySettings settings;
-    private final PendingRequests fleetRequests;
+    private final LatchRequests latch;
     private final CommandDriver driver;
     private final DeferredEvents announcements;
     private long lastTelemetry = -1; // its sequence number, or that of a motion
@@ -59,7 +58,7 @@ final class BoatMessages {
             ProxyLink link,
             HandOver handOver,
             ProxySettings settings,
-            PendingRequests fleetRequests,
+            LatchRequests latch,
             CommandDriver driver,
             DeferredEvents announcements) {
         this.boatId = boatId;
@@ -67,7 +66,7 @@ final class BoatMessages {
         this.link = link;
         this.handOver = handOver;
         this.settings = settings;
-        this.fleetRequests = fleetRequests;
+        this.latch = latch;
         this.driver = driver;
         this.announcements = announcements;
     }
@@ -107,6 +106,7 @@ final class BoatMessages {
             driver.taken(report);
         } else if (message instanceof SettingsReport report) {
             condition.stoppedBy = report.stoppedBy();
+            latch.reported(report.stoppedBy());
             condition.stopSeen &= !report.stoppedBy().isEmpty();
             condition.home = report.home().map(home -> GeoPoint.of(home.latDeg(), home.lonDeg()));
             condition.error = report.error().map(error -> CrossTrackError.of(error.positionM(), error.driftMps()));
@@ -142,6 +142,7 @@ final class BoatMessages {
         condition.refusal = "";
         condition.awaitingProgress = true;
         handOver.settled();
+        latch.welcomed();
         if (news || restarted) {
             lastTelemetry = -1;
             linkChanged();
@@ -187,7 +188,7 @@ final class BoatMessages {
             }
             return;
         }
-        condition.fleetStopped &= fleetRequests.areWaiting();
+        condition.fleetStopped &= latch.areWaiting();
         condition.stoppedFromHere &= condition.fleetStopped;
         if (driver.isDriving() && telemetry.mode() == BoatMode.PATH) {
             driver.at(pose.position(), canMove(telemetry), condition.nowMs);
@@ -223,13 +224,14 @@ final class BoatMessages {
     private void answered(String commandId, LinkMessage answer) {
         if (!handOver.answered(commandId)
                 && !settings.answered(commandId)
-                && fleetRequests.answered(commandId).isEmpty()) { // otherwise the next telemetry shows the result
+                && !latch.answered(commandId)) { // otherwise the next telemetry shows the result
             driver.answered(commandId, answer, condition.nowMs);
         }
     }
 
     private void refused(Nack nack) {
         settings.refused(nack);
+        latch.refused(nack);
         boolean mayPass = !handOver.refused(nack) && driver.refused(nack);
         boolean lostThere = nack.reason() == NackReason.NOT_GREETED && !condition.awaitingProgress; // though not here
         if (mayPass || lostThere) {
@@ -241,6 +243,7 @@ final class BoatMessages {
     void linkChanged() {
         if (link.state() != LinkState.LINKED) {
             handOver.linkLost();
+            latch.linkLost();
         }
         condition.status = condition.status.with(link.state(), link.bootId());
         if (link.state() == LinkState.LOST && isToReturn()) {

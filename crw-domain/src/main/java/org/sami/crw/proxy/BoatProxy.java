@@ -7,8 +7,6 @@ import java.util.OptionalLong;
 import java.util.function.Consumer;
 import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.BoatPerformance;
-import org.sami.boat.link.FleetRelease;
-import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.FrameSink;
 import org.sami.boat.link.Motion;
@@ -22,7 +20,6 @@ import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.proxy.explanation.Obstacle;
 import org.sami.crw.proxy.link.Intake;
-import org.sami.crw.proxy.link.PendingRequests;
 import org.sami.crw.proxy.link.ProxyConfig;
 import org.sami.crw.proxy.link.ProxyLink;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
@@ -50,7 +47,7 @@ public final class BoatProxy {
     private final String boatId;
     private final ProxyLink link;
     private final double usualSpeedMps;
-    private final PendingRequests fleetRequests; // what stops or releases the whole fleet
+    private final LatchRequests latch;
     private final HandOver handOver;
     private final DeferredEvents announcements;
     private final ProxySettings settings;
@@ -61,14 +58,12 @@ public final class BoatProxy {
     private final ProxyCommands commands;
     private final Intake intake = new Intake();
     private long announcedChanges; // of the queue
-    private boolean stops; // the fleet request that was made last
 
     /** A proxy that says hello at its first tick. */
     public BoatProxy(String boatId, FrameSink toBoat, Consumer<? super FleetEvent> listener, ProxyConfig config) {
         this.boatId = Objects.requireNonNull(boatId, "boatId");
         usualSpeedMps = config.cruiseSpeedMps();
         link = new ProxyLink(boatId, Objects.requireNonNull(toBoat, "toBoat"), config);
-        fleetRequests = new PendingRequests(link, config);
         announcements = new DeferredEvents(Objects.requireNonNull(listener, "listener"));
         condition = new BoatCondition(boatId, link);
         driver = new CommandDriver(
@@ -81,8 +76,9 @@ public final class BoatProxy {
                 () -> condition.flies,
                 condition.wayHome);
         handOver = new HandOver(boatId, link, config, announcements, condition, driver::wireId);
+        latch = new LatchRequests(boatId, link, config, announcements, condition, driver::wireId);
         settings = new ProxySettings(boatId, link, config, announcements, condition, driver::wireId, this::settle);
-        messages = new BoatMessages(boatId, condition, link, handOver, settings, fleetRequests, driver, announcements);
+        messages = new BoatMessages(boatId, condition, link, handOver, settings, latch, driver, announcements);
         traffic = new ProxyTraffic(condition, driver, link);
         commands = new ProxyCommands(driver, condition, this::settle);
     }
@@ -306,9 +302,7 @@ public final class BoatProxy {
         if (link.state() == LinkState.LINKED) {
             handOver.tick(condition.nowMs);
         }
-        if (fleetRequests.areWaiting() && (link.isCommanding() || mayStop())) {
-            fleetRequests.tick(condition.nowMs).forEach(request -> fleetRequests.send(request, condition.nowMs));
-        }
+        latch.tick();
         if (link.isCommanding()) {
             driver.tick(condition.nowMs);
             settings.tick(condition.nowMs);
@@ -408,28 +402,23 @@ public final class BoatProxy {
     public void fleetStop() {
         condition.fleetStopped = true;
         condition.stoppedFromHere = true;
-        stops = true;
         driver.abandon(BoatMessages.FLEET_STOP);
-        fleetRequests.clear();
-        fleetRequests.send(new FleetStop(driver.wireId("fleet-stop")), condition.nowMs);
+        latch.stop();
     }
 
-    /** Ends the fleet stop; the boat then goes on with its commands. */
+    /**
+     * Ends the fleet stop; the boat then goes on with its commands. Where this base does not command the boat now, or no longer before the boat has
+     * answered, the boat stays stopped, and the listener gets {@link FleetEvent.ReleaseDropped}.
+     */
     public void fleetRelease() {
-        stops = false;
-        fleetRequests.clear();
-        fleetRequests.send(new FleetRelease(driver.wireId("fleet-release")), condition.nowMs);
+        latch.release();
+        settle();
     }
 
     /** Tells the boat which keys it takes no longer. What is not acknowledged is said again over the next connection. */
     public void withdrawKeys(List<Fingerprint> keys) {
         List<String> words = keys.stream().map(Fingerprint::toString).toList();
         link.send(new WithdrawKeys(driver.wireId("withdraw-keys"), words), condition.nowMs);
-    }
-
-    /** Whether the boat obeys a fleet stop of this base, whoever commands it. */
-    private boolean mayStop() {
-        return stops && isStoppedByAnyone();
     }
 
     /** Whether the boat's motors are stopped until somebody releases them. */
@@ -445,7 +434,7 @@ public final class BoatProxy {
 
     /** Whether the boat has still to acknowledge a fleet stop or the release of one. */
     public boolean isAwaitingFleetAnswer() {
-        return fleetRequests.areWaiting();
+        return latch.areWaiting();
     }
 
     /** Why the boat moves or does not; missions are named by their numbers. */

@@ -146,9 +146,12 @@ final class BoatOrders {
         return tell(boat, "stopped " + boat, BoatProxy::fleetStop);
     }
 
-    /** Ends the stop of one boat, which goes on with what missions want of it. */
+    /** Ends the stop of one boat, which goes on with what missions want of it. Refused where this base does not command it. */
     CompletionStage<Void> release(String boat) {
-        return tell(boat, "released " + boat, BoatProxy::fleetRelease);
+        return tell(boat, "released " + boat, proxy -> {
+            checkCommanding(proxy);
+            proxy.fleetRelease();
+        });
     }
 
     // ---- settings

@@ -70,6 +70,8 @@ public final class BoatNews implements Consumer<FleetEvent> {
             onHoldsPlace(held.boat(), held.givenUp());
         } else if (event instanceof FleetEvent.Refused refused) {
             onRefused(refused.boat(), refused.reason());
+        } else if (event instanceof FleetEvent.ReleaseDropped dropped) {
+            onReleaseDropped(dropped.boat(), dropped.reason());
         } else if (event instanceof FleetEvent.LinkAlarmed alarmed
                 && alarmed.alarm().kind() == LinkAlarm.Kind.SAID_BY_BOAT) {
             onSaid(alarmed.alarm());
@@ -164,6 +166,19 @@ public final class BoatNews implements Consumer<FleetEvent> {
 
     private void onRefused(String boatId, String reason) {
         tell(boatId, Priority.HIGH, boatId + " refuses: " + reason);
+    }
+
+    /** News of the link does not take its place: the boat stays stopped when the link is back. */
+    private void onReleaseDropped(String boatId, String reason) {
+        messages.tell(new OperatorMessage(
+                host.nowMillis(),
+                Ids.NONE,
+                OperatorMessage.Source.DOMAIN,
+                Priority.HIGH,
+                boatId + " may still be stopped, as its release was dropped: " + reason
+                        + "; release it again if it is to move",
+                List.of(boatId),
+                "release/" + boatId));
     }
 
     /** No later one takes its place: each says something else, and none says when it is over. */

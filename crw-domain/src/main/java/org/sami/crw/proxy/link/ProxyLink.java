@@ -65,6 +65,11 @@ public final class ProxyLink {
         return bootId;
     }
 
+    /** The term in which the boat takes commands from here, as its newest welcome names it; empty text before the first. */
+    public String term() {
+        return term;
+    }
+
     /** How many frames could not be read. */
     public long unreadable() {
         return unreadable;

@@ -140,6 +140,9 @@ public final class FleetOrder {
         if (boat.isAwaitingFleetAnswer()) {
             return answer(boat, false, "it has not acknowledged");
         }
+        if (kind == Kind.RELEASE && isStopped(boat)) { // the release may have been dropped
+            return answer(boat, false, "it still says that it is stopped");
+        }
         String word = kind == Kind.STOP
                 ? "stopped, and the stop is latched"
                 : "released; it moves when it is commanded again";

@@ -3,6 +3,7 @@ package org.sami.crw.sim.boat;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -127,5 +128,45 @@ class ReplacedBaseTest {
         first.awaitMode("anna", BoatMode.FLEET_STOP);
         assertThat(first.ask("anna", BoatProxy::isCommanding)).isTrue();
         assertThat(first.explanation("anna")).contains("stopped by second");
+    }
+
+    @Test
+    void releaseThatWasOrderedBeforeAnotherBaseStoppedTheBoatDoesNotUndoThatStop() throws Exception {
+        BoatOnTcp boat = fleet.boat("anna");
+        TestRelay router = fleet.relay(boat);
+        Base first = fleet.base("first");
+        first.connect(router.address(), "anna");
+        Await.until("the first commands", () -> first.ask("anna", BoatProxy::isCommanding));
+        first.submit("anna", TcpTestFleet.path("m1", 1));
+        first.awaitMode("anna", BoatMode.PATH);
+        Base second = fleet.base("second");
+        second.connect(boat.address(), "anna");
+        tell(first, BoatProxy::fleetStop);
+        first.awaitMode("anna", BoatMode.FLEET_STOP);
+        router.setSwallows(true);
+        tell(first, BoatProxy::fleetRelease);
+        Await.until("the loss is told", () -> first.status("anna").link() == LinkState.LOST);
+
+        tell(second, BoatProxy::fleetStop);
+        Await.until("the boat has the stop", () -> !second.ask("anna", BoatProxy::isAwaitingFleetAnswer));
+        router.setSwallows(false);
+
+        Await.until("the first commands again", () -> first.ask("anna", BoatProxy::isCommanding));
+        Await.holds(
+                "the boat stays stopped",
+                2.5,
+                () -> second.status("anna")
+                        .mode()
+                        .filter(BoatMode.FLEET_STOP::equals)
+                        .isPresent());
+        tell(first, BoatProxy::fleetRelease);
+        first.awaitMode("anna", BoatMode.PATH);
+    }
+
+    private static void tell(Base base, Consumer<BoatProxy> what) {
+        base.ask("anna", proxy -> {
+            what.accept(proxy);
+            return true;
+        });
     }
 }

@@ -18,6 +18,7 @@ import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.Stop;
 import org.sami.crw.proxy.queue.Withdrawal;
+import org.sami.crw.proxy.status.StopLatch;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.link.PipeConfig;
 import org.sami.spn.protocol.Priority;
@@ -112,12 +113,12 @@ class FleetChaosTest {
     /** Ends all disturbances; what may run then gets done, and what a block kept waiting after that block's mission. */
     private void calm(SimulatedBoat boat) {
         cut(boat, false, false);
-        boat.proxy().fleetRelease();
         boat.proxy().release();
         for (long mission = 1; mission <= 4; mission++) {
             int minutesAtRest = 0; // a boat may rest for a moment before it does what a lost message held back
             for (int minutes = 0; minutes < 50 && minutesAtRest < 5; minutes++) {
                 boat.hull().setBatteryPercent(100);
+                releaseIfStopped(boat.proxy());
                 clock.runUntil(clock.nowMs() + 60_000);
                 minutesAtRest = isAtRest(boat) ? minutesAtRest + 1 : 0;
             }
@@ -126,6 +127,13 @@ class FleetChaosTest {
                     .isEmpty();
             assertThat(boat.hull().speedMps()).isZero();
             boat.proxy().commands().withdraw(mission).forEach(command -> end(command, "taken back"));
+        }
+    }
+
+    /** A release that was dropped with its link is ordered again. */
+    private static void releaseIfStopped(BoatProxy proxy) {
+        if (!proxy.stop().equals(StopLatch.NONE)) {
+            proxy.fleetRelease();
         }
     }
 
