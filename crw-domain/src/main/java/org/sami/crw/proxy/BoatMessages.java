@@ -186,10 +186,14 @@ final class BoatMessages {
                 condition.fleetStopped = true;
                 driver.abandon(FLEET_STOP);
             }
+            driver.latched();
             return;
         }
         condition.fleetStopped &= latch.areWaiting();
         condition.stoppedFromHere &= condition.fleetStopped;
+        if (link.isCommanding() && !condition.awaitingProgress) {
+            driver.drives(telemetry.mode() == BoatMode.PATH, condition.nowMs);
+        }
         if (driver.isDriving() && telemetry.mode() == BoatMode.PATH) {
             driver.at(pose.position(), canMove(telemetry), condition.nowMs);
         } else if (driver.isDriving() && !condition.awaitingProgress) {

@@ -402,7 +402,7 @@ public final class BoatProxy {
     public void fleetStop() {
         condition.fleetStopped = true;
         condition.stoppedFromHere = true;
-        driver.abandon(BoatMessages.FLEET_STOP);
+        driver.abandonMoving(BoatMessages.FLEET_STOP);
         latch.stop();
     }
 

@@ -104,7 +104,7 @@ public final class ProxyCommands {
         Optional<BoatCommand> path =
                 current().filter(command -> command instanceof FollowPath || command instanceof KeepStation);
         if (path.isPresent()) {
-            driver.abandon("its waypoints are sent to the boat again");
+            driver.abandonMoving("its waypoints are sent to the boat again");
             afterwards.run();
         }
         return path;

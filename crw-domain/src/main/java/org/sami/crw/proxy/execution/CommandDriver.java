@@ -39,6 +39,7 @@ public final class CommandDriver {
     private final CommandQueue queue = new CommandQueue();
     private final PlaceHold hold = new PlaceHold();
     private final Uploads uploads;
+    private final UnwantedDrive unwanted;
     private final Supplier<Optional<GeoPoint>> position;
     private final DoubleSupplier cruiseMps;
     private final BooleanSupplier flies;
@@ -79,6 +80,7 @@ public final class CommandDriver {
         this.announcements = announcements;
         requests = new PendingRequests(link, config);
         uploads = new Uploads(boatId, announcements);
+        unwanted = new UnwantedDrive(config);
     }
 
     /** The commands that missions have for the boat. */
@@ -101,9 +103,9 @@ public final class CommandDriver {
         return run.isPresent() && run.get().isDriving();
     }
 
-    /** Whether a stop for lack of commands is still unanswered. */
+    /** Whether a stop for lack of commands is still unanswered, or still has to be sent. */
     public boolean isStopping() {
-        return run.isEmpty() && requests.areWaiting();
+        return run.isEmpty() && (mustStop || requests.areWaiting());
     }
 
     /** The paths that went to the boat. */
@@ -188,6 +190,27 @@ public final class CommandDriver {
         run = Optional.empty();
         requests.clear();
         uploads.givenUp(why);
+    }
+
+    /**
+     * Forgets the try that is under way, whose list the boat may be driving along: it is stopped as soon as it can be commanded, unless a new try takes
+     * its place.
+     */
+    public void abandonMoving(String why) {
+        mustStop |= run.isPresent() || requests.areWaiting();
+        abandon(why);
+    }
+
+    /** The boat is latched: it lies still, and stays so after the release. */
+    public void latched() {
+        mustStop = false;
+    }
+
+    /** The boat says whether it drives along its list; one that does so for no command is stopped. */
+    public void drives(boolean alongList, long nowMs) {
+        if (!isHeldForPosition) { // else the command for it is still to be checked
+            mustStop |= unwanted.isToStop(alongList, run.isPresent() || task().isPresent(), nowMs);
+        }
     }
 
     /**
@@ -413,6 +436,7 @@ public final class CommandDriver {
             requests.clear();
             mustStop = true; // under a new id: it may have stopped before, and moved again for its lost link
         }
+        unwanted.resumed(held);
     }
 
     /** Returns whether the report was about the command under way. */

@@ -299,6 +299,51 @@ class FleetLinksTest {
     }
 
     @Test
+    void pathThatIsSentAgainAndThenWithdrawnWhileTheLinkIsLostDoesNotDriveOn() {
+        SimulatedTestWorld world = drivingOnWithoutALink();
+
+        world.proxy().commands().sendPathAgain();
+        world.proxy().commands().withdraw(1);
+        world.run(6);
+
+        assertStoppedOnceTheLinkIsBack(world);
+    }
+
+    @Test
+    void boatThatIsStoppedAndReleasedWhileTheLinkIsLostDoesNotDriveOnWithoutAMission() {
+        SimulatedTestWorld world = drivingOnWithoutALink();
+
+        world.fleet.proxies().fleetStop();
+        world.proxy().commands().withdraw(1);
+        world.fleet.proxies().fleetRelease();
+        world.run(6);
+
+        assertStoppedOnceTheLinkIsBack(world);
+    }
+
+    /** A boat on its way, which goes on along it though its link is lost. */
+    private static SimulatedTestWorld drivingOnWithoutALink() {
+        SimulatedTestWorld world = new SimulatedTestWorld(
+                1, 1, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(LostLinkAction.CONTINUE)));
+        world.proxy().commands().submit(world.path(1, 0, 300));
+        world.run(20);
+        cut(world, true);
+        world.run(6);
+        return world;
+    }
+
+    private static void assertStoppedOnceTheLinkIsBack(SimulatedTestWorld world) {
+        assertThat(world.hull().speedMps()).isGreaterThan(1);
+        assertThat(world.proxy().isAtRest()).isFalse();
+
+        cut(world, false);
+        world.run(6);
+
+        assertThat(world.boat().server().mode()).isEqualTo(BoatMode.STOPPED);
+        assertThat(world.proxy().isAtRest()).isTrue();
+    }
+
+    @Test
     void batteryClassesReachTheListenerAsTheyChange() {
         SimulatedTestWorld world = new SimulatedTestWorld(1);
         world.proxy().commands().submit(world.path(1, 0, 400));
