@@ -229,7 +229,7 @@ public final class BoatProxy {
 
     /**
      * Cuts the link: nothing goes to the boat any longer, nothing is taken from it, and it does what is set for a lost link. Commands
-     * wait. Until {@link #reconnect}.
+     * wait. Until {@link #reconnect} or {@link #fleetStop}.
      */
     public void disconnect() {
         condition.disconnected = true;
@@ -398,8 +398,9 @@ public final class BoatProxy {
         return handOver;
     }
 
-    /** Stops the motors, latched on the boat; commands wait until {@link #fleetRelease}. */
+    /** Stops the motors, latched on the boat; commands wait until {@link #fleetRelease}. Takes up a link that was cut on purpose, to ask until it is answered. */
     public void fleetStop() {
+        reconnect();
         condition.fleetStopped = true;
         condition.stoppedFromHere = true;
         driver.abandonMoving(BoatMessages.FLEET_STOP);

@@ -299,6 +299,26 @@ class FleetLinksTest {
     }
 
     @Test
+    void fleetStopTakesUpALinkThatWasCutOnPurposeAndIsRepeatedUntilTheBoatAnswers() {
+        SimulatedTestWorld world = new SimulatedTestWorld(
+                1, 1, FleetConfig.DEFAULT.withServer(server -> server.lostLinkAction(LostLinkAction.CONTINUE)));
+        world.proxy().commands().submit(world.path(1, 0, 300));
+        world.run(20);
+        world.proxy().disconnect();
+        world.run(6);
+        cut(world, true);
+        world.fleet.proxies().fleetStop(); // this one frame is lost
+        world.run(3);
+        assertThat(world.hull().speedMps()).isGreaterThan(1);
+
+        cut(world, false);
+        world.run(6);
+
+        assertThat(world.boat().server().mode()).isEqualTo(BoatMode.FLEET_STOP);
+        assertThat(world.proxy().isAwaitingFleetAnswer()).isFalse();
+    }
+
+    @Test
     void pathThatIsSentAgainAndThenWithdrawnWhileTheLinkIsLostDoesNotDriveOn() {
         SimulatedTestWorld world = drivingOnWithoutALink();
 
