@@ -17,6 +17,7 @@ import org.sami.crw.operator.decision.PendingDecision;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.Geodesy;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
@@ -162,9 +163,11 @@ class BoatQuestionsTest {
         world = new TestWorld(engine);
         world.addBoat("a", 0, 0);
         world.run(3);
-        assertThat(asked()).hasSize(1);
+        List<Decision> asked = world.host.ask(EngineView::decisions);
+        assertThat(asked).hasSize(1);
 
-        answer(true); // the boat knows no such client, and says so
+        world.host.post(new Input.AnswerDecision(asked.get(0).id(), new Answer.YesNo(true), Answerer.OPERATOR));
+        world.run(2); // the boat knows no such client, and says so
 
         assertThat(world.operator.messages().messages())
                 .extracting(OperatorMessage::text)
@@ -183,7 +186,7 @@ class BoatQuestionsTest {
         boat().receive(wish, world.nowMillis());
         world.run(1);
 
-        assertThat(asked()).hasSize(1);
+        assertThat(world.host.ask(EngineView::decisions)).hasSize(1);
     }
 
     @Test
