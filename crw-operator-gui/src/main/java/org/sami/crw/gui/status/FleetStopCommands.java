@@ -3,11 +3,15 @@ package org.sami.crw.gui.status;
 import java.awt.event.ActionEvent;
 import java.util.Optional;
 import javax.swing.Timer;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.gui.context.OperatorContext;
+import org.sami.crw.operator.boat.FleetStopState;
+import org.sami.session.api.RefusedException;
 import org.sami.ui.command.Command;
 
 /**
- * The fleet stop: one press stops all boats, without a question. The release takes two steps, the second within five seconds of the first.
+ * The fleet stop: one press stops all boats, without a question. Whether the fleet is stopped is what the session says, not that somebody pressed; a stop that could not be sent
+ * is said until one is sent. The release takes two steps, the second within five seconds of the first. On the event thread.
  */
 public final class FleetStopCommands {
     private static final int SECOND_STEP_MS = 5000;
@@ -17,7 +21,9 @@ public final class FleetStopCommands {
     private final Command release;
     private final Command confirm;
     private final Timer expiry = new Timer(SECOND_STEP_MS, this::expired);
-    private boolean pressed;
+    private Optional<String> notSent = Optional.empty();
+    private int presses;
+    private boolean sending;
     private boolean releasing;
     private Runnable changed = () -> {};
 
@@ -42,6 +48,7 @@ public final class FleetStopCommands {
                         .unless(() -> releasing
                                 ? Optional.empty()
                                 : Optional.of("press 'Release fleet' first, then this within five seconds")));
+        context.models().fleetStop().addListener(this::stateChanged);
     }
 
     void onChange(Runnable listener) {
@@ -60,14 +67,24 @@ public final class FleetStopCommands {
         return confirm;
     }
 
-    /** Whether the fleet was stopped from here, or a boat says that it is. */
+    /** Whether the session says that boats are stopped. */
     boolean isStopped() {
-        return pressed || context.models().fleetStop().snapshot().isLatched();
+        return context.models().fleetStop().snapshot().isLatched();
     }
 
     /** Whether that is the state of the whole fleet, and not of single boats. */
     boolean isOfFleet() {
-        return pressed || context.models().fleetStop().snapshot().isOfFleet();
+        return context.models().fleetStop().snapshot().isOfFleet();
+    }
+
+    /** Whether a stop was pressed, and the session has not answered yet. */
+    boolean isSending() {
+        return sending;
+    }
+
+    /** Why the last stop could not be sent; empty where it was, or the fleet was stopped or released since. */
+    Optional<String> whyNotSent() {
+        return notSent;
     }
 
     boolean isReleasing() {
@@ -75,9 +92,29 @@ public final class FleetStopCommands {
     }
 
     private void stopAll() {
-        pressed = true;
+        int press = ++presses;
+        sending = true;
         releasing = false;
-        context.tell(context.session().fleet().stopAll(), "Fleet stop: stop sent to every boat");
+        refresh();
+        context.session().fleet().stopAll().whenComplete((boats, fault) -> answered(press, fault));
+    }
+
+    private void answered(int press, @Nullable Throwable fault) {
+        if (press != presses) {
+            return; // the answer to the last press counts
+        }
+        sending = false;
+        notSent = Optional.ofNullable(fault).map(RefusedException::reason);
+        notSent.ifPresentOrElse(
+                why -> context.notices().refused("The fleet stop was NOT sent: " + why),
+                () -> context.notices().show("Fleet stop: stop sent to every boat"));
+        refresh();
+    }
+
+    private void stateChanged(FleetStopState state) {
+        if (state.isOfFleet()) {
+            notSent = Optional.empty();
+        }
         refresh();
     }
 
@@ -93,8 +130,8 @@ public final class FleetStopCommands {
     }
 
     private void releaseAll() {
-        pressed = false;
         releasing = false;
+        notSent = Optional.empty();
         context.tell(
                 context.session().fleet().releaseAll(), "The fleet is released; boats go on with what missions want");
         refresh();

@@ -58,6 +58,7 @@ public final class StatusStrip extends FoldingPanel {
     private boolean red;
     private final transient Fold narrow = foldBelowWidth(WIDE_FROM, this::narrow);
     private final CommandButton stop;
+    private final JLabel sent = new JLabel();
     private final CommandButton release;
     private final CommandButton confirm;
 
@@ -107,8 +108,10 @@ public final class StatusStrip extends FoldingPanel {
         add(notice, "wmin 0, shrinkprio 300, gapright 8");
         add(clock, "wmin 0, shrinkprio 200");
         add(alarms, "h 40!");
-        JPanel stops = new JPanel(new MigLayout("novisualpadding, insets 0, gap 0, hidemode 3", "[][][]", "[]"));
+        JPanel stops = new JPanel(new MigLayout("novisualpadding, insets 0, gap 0, hidemode 3", "[][][][]", "[]"));
         stops.setOpaque(false);
+        sent.setName("fleet-stop-sent");
+        stops.add(sent, "gapright 8");
         stops.add(release, "gapright 8"); // gaps that go with them: the stop stays where it is
         stops.add(confirm, "gapright 8");
         stops.add(stop, "h 44!");
@@ -142,6 +145,8 @@ public final class StatusStrip extends FoldingPanel {
         ink(missions, SemanticColor.TEXT);
         notice.setInk(red ? Optional.of(SemanticColor.ON_CRITICAL) : Optional.empty());
         ink(clock, SemanticColor.TEXT);
+        sent.setFont(Fonts.strong());
+        ink(sent, SemanticColor.CRITICAL);
         alarms.setFont(Fonts.strong());
         unseen.setFont(Fonts.strong());
         LookColors.foreground(unseen, SemanticColor.ON_WARNING);
@@ -191,8 +196,22 @@ public final class StatusStrip extends FoldingPanel {
         clock.setFont(brief ? Fonts.strong() : Fonts.heading());
         clock.setText(LocalTime.now(ZoneId.systemDefault()).format(CLOCK));
         showAlarms(context.models().alarms().snapshot());
+        showSent();
         release.setVisible(fleetStop.isStopped() && !fleetStop.isReleasing());
         confirm.setVisible(fleetStop.isStopped() && fleetStop.isReleasing());
+    }
+
+    /** Of a stop that was pressed, what the red of the strip cannot say: that it is under way, or was not sent. */
+    private void showSent() {
+        Optional<String> why = fleetStop.whyNotSent();
+        boolean sending = fleetStop.isSending();
+        sent.setVisible(sending || why.isPresent());
+        sent.setText(sending ? "stop is being sent" : "▲ STOP NOT SENT");
+        String words = sending
+                ? "The fleet stop is being sent"
+                : "The fleet stop was NOT sent: " + why.orElse("") + ". Press it again";
+        sent.setToolTipText(words);
+        sent.getAccessibleContext().setAccessibleName(words);
     }
 
     /** Told to the layout again once the one that is under way has ended: it goes on with the width that it has asked for, and would cut the button. */

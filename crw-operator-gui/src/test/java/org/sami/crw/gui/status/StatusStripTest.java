@@ -105,6 +105,40 @@ class StatusStripTest {
         });
     }
 
+    @Test
+    void stripIsRedNoLongerOnceSomebodyElseReleasesTheFleetThatWasStoppedHere() throws Exception {
+        StatusStrip strip = EventThreadCall.onEventThread(this::strip);
+        world.run("fleet-stop");
+        SessionWorld.until("the strip is red", () -> isRed(strip));
+
+        SessionWorld.get(world.session.fleet().releaseAll());
+
+        SessionWorld.until("it is so no longer", () -> !isRed(strip));
+        assertThat(world.whyNot("fleet-release")).isEqualTo("the fleet is not stopped");
+    }
+
+    @Test
+    void aStopThatIsNotSentIsSaidAndStripIsNotRed() throws Exception {
+        StatusStrip strip = EventThreadCall.onEventThread(this::strip);
+        world.session.close(); // as where the session cannot be reached
+
+        world.run("fleet-stop");
+
+        SessionWorld.until(
+                "it is said", () -> label(strip, "fleet-stop-sent").getText().equals("▲ STOP NOT SENT"));
+        SessionWorld.until("it is seen", () -> {
+            strip.refresh();
+            return label(strip, "fleet-stop-sent").isVisible();
+        });
+        assertThat(EventThreadCall.onEventThread(() -> isRed(strip))).isFalse();
+        assertThat(world.whyNot("fleet-release")).isEqualTo("the fleet is not stopped");
+    }
+
+    private static boolean isRed(StatusStrip strip) {
+        strip.refresh();
+        return strip.getBackground().equals(SemanticColor.CRITICAL_FILL.get());
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {100, 150, 200})
     void fleetStopAndClockAreSeenWholeWhileTheFleetIsStopped(int percent) throws Exception {
