@@ -23,14 +23,21 @@ final class ByHandPanel extends JPanel {
         this.teleoperation = teleoperation;
         this.words = words;
         setName("boat-hand");
-        stick = new StickView(teleoperation::steer, teleoperation::whyNot, words);
+        stick = new StickView(teleoperation, words);
         text.setName("boat-hand-text");
         JPanel side = new JPanel(new MigLayout("novisualpadding, insets 0, gap 0 8, fillx, wrap 1", "[grow,fill]"));
         side.add(new CommandButton(teleoperation.command()), "growx 0");
         side.add(text, "wmin 60");
         add(stick, STICK);
         add(side, "wmin 60");
-        teleoperation.addListener(this::refresh);
+        teleoperation.addListener(this::drivingChanged);
+        refresh();
+    }
+
+    private void drivingChanged() {
+        if (teleoperation.isStickFree()) {
+            stick.letGo();
+        }
         refresh();
     }
 

@@ -9,7 +9,6 @@ import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.Optional;
-import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
@@ -19,20 +18,26 @@ import org.sami.ui.look.Look;
 
 /**
  * A stick on the screen: dragged up and down it is thrust, left and right the rudder; let go it stands in the middle, and the boat stands. Tells
- * how it stands as parts of full deflection.
+ * how it stands as parts of full deflection. Only a press takes it: once it was let go for its holder it has to be pressed anew.
  */
 final class StickView extends JPanel {
     private static final int SIZE = 148;
     private static final int KNOB = 22;
 
-    private final Deflection told;
-    private final Supplier<Optional<String>> whyNot;
+    private final transient Driver driver;
     private final UnaryOperator<String> words;
+    private boolean grasped;
     private double thrust;
     private double rudder;
 
-    /** Calls a listener with the position of the stick. */
-    interface Deflection {
+    /** Who drives by the stick. */
+    interface Driver {
+        /** Why it can be moved by nobody now; empty where it can. */
+        Optional<String> whyNot();
+
+        /** The stick is pressed. Gives whether something is driven by it from now on. */
+        boolean grasp();
+
         /** Up is positive thrust, right is positive rudder; -1 to 1 each. */
         void stands(double thrust, double rudder);
     }
@@ -40,13 +45,12 @@ final class StickView extends JPanel {
     /**
      * A stick in the middle.
      *
-     * @param whyNot why it can be moved by nobody now; empty where it can
+     * @param driver is told where it stands
      * @param words puts the word for the session's robots into a text about boats
      */
-    StickView(Deflection told, Supplier<Optional<String>> whyNot, UnaryOperator<String> words) {
+    StickView(Driver driver, UnaryOperator<String> words) {
         this.words = words;
-        this.told = told;
-        this.whyNot = whyNot;
+        this.driver = driver;
         setName("boat-stick");
         setOpaque(false);
         setToolTipText("");
@@ -57,7 +61,10 @@ final class StickView extends JPanel {
         MouseAdapter mouse = new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
-                drag(e);
+                if (SwingUtilities.isLeftMouseButton(e)) {
+                    grasped = driver.grasp();
+                    drag(e);
+                }
             }
 
             @Override
@@ -67,6 +74,7 @@ final class StickView extends JPanel {
 
             @Override
             public void mouseReleased(MouseEvent e) {
+                grasped = false;
                 stand(0, 0);
             }
         };
@@ -74,8 +82,16 @@ final class StickView extends JPanel {
         addMouseMotionListener(mouse);
     }
 
+    /** Puts it into the middle whoever holds it, who has to press it anew; the driver knows. */
+    void letGo() {
+        grasped = false;
+        thrust = 0;
+        rudder = 0;
+        repaint();
+    }
+
     private void drag(MouseEvent e) {
-        if (SwingUtilities.isLeftMouseButton(e) && whyNot.get().isEmpty()) {
+        if (grasped && SwingUtilities.isLeftMouseButton(e)) {
             double reach = reach();
             stand(part((getHeight() / 2.0 - e.getY()) / reach), part((e.getX() - getWidth() / 2.0) / reach));
         }
@@ -93,12 +109,12 @@ final class StickView extends JPanel {
         thrust = nextThrust;
         rudder = nextRudder;
         repaint();
-        told.stands(thrust, rudder);
+        driver.stands(thrust, rudder);
     }
 
     @Override
     public String getToolTipText(MouseEvent event) {
-        return words.apply(whyNot.get()
+        return words.apply(driver.whyNot()
                 .map(why -> "Stick: " + why)
                 .orElse("Drag: up and down is thrust, left and right the rudder"));
     }
@@ -117,7 +133,7 @@ final class StickView extends JPanel {
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        boolean off = whyNot.get().isPresent();
+        boolean off = driver.whyNot().isPresent();
         int middleX = getWidth() / 2;
         int middleY = getHeight() / 2;
         int radius = (int) reach() + Look.px(KNOB) - 2;
