@@ -52,6 +52,11 @@ final class BoatControl {
         return teleoperation;
     }
 
+    /** Ends what is driven by hand. */
+    void close() {
+        teleoperation.close();
+    }
+
     List<Command> commands() {
         return List.copyOf(commands);
     }

@@ -65,6 +65,11 @@ final class LaunchPanel extends JPanel {
         add(table);
     }
 
+    /** Ends the trial of a motor. */
+    void close() {
+        motor.close();
+    }
+
     /** Shows how a boat stands now. */
     void show(Optional<BoatSnapshot> boat) {
         motor.command().refresh();

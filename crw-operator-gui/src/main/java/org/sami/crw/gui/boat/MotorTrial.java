@@ -8,6 +8,7 @@ import javax.swing.Timer;
 import org.sami.boat.link.BoatMode;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
+import org.sami.crw.operator.boat.BoatSnapshot.Commander;
 import org.sami.session.api.RefusedException;
 import org.sami.ui.command.Command;
 
@@ -41,6 +42,11 @@ final class MotorTrial {
         return command;
     }
 
+    /** Gives a boat whose motor is tried now back to the missions: the window is closed. */
+    void close() {
+        boat.ifPresent(this::end);
+    }
+
     /** The greatest speed in m/s of a boat's last trial; empty where it was not tried. */
     OptionalDouble seenMps(String which) {
         return seenMps.containsKey(which) ? OptionalDouble.of(seenMps.get(which)) : OptionalDouble.empty();
@@ -58,6 +64,11 @@ final class MotorTrial {
                 .filter(BoatMode.FLEET_STOP::equals)
                 .isPresent()) {
             return Optional.of("its motors are stopped, release it first");
+        }
+        if (selected.map(BoatSnapshot::commander)
+                .filter(Commander.BY_HAND::equals)
+                .isPresent()) {
+            return Optional.of("it is driven by hand");
         }
         return selected.flatMap(BoatSnapshot::command)
                 .map(wanted -> "it carries out a command of " + context.titles().words(wanted.mission()));

@@ -27,7 +27,7 @@ import org.sami.ui.look.WidthTrackingPanel;
  * The selected boat: why it moves or not, its command queue, what is to be so before it is launched, driving by hand, its settings, and what
  * else can be done with it.
  */
-public final class SelectedBoatPanel extends FoldingPanel {
+public final class SelectedBoatPanel extends FoldingPanel implements AutoCloseable {
     private static final String HEAD = "insets 8 12 8 12, fillx, hidemode 3, wrap 1";
     private static final String LOW_HEAD = "insets 4 12 4 12, fillx, hidemode 3";
     private static final String QUEUE = "hmin 60"; // a whole row below the titles of the columns
@@ -38,6 +38,7 @@ public final class SelectedBoatPanel extends FoldingPanel {
     private final JLabel name = new JLabel();
     private final JLabel why = new JLabel();
     private final JLabel facts = new JLabel();
+    private final transient BoatControl control;
     private final BoatQueue queue;
     private final SettingsForm settings;
     private final LaunchPanel launch;
@@ -53,7 +54,7 @@ public final class SelectedBoatPanel extends FoldingPanel {
     public SelectedBoatPanel(OperatorContext context) {
         super(new BorderLayout());
         this.context = context;
-        BoatControl control = new BoatControl(context);
+        control = new BoatControl(context);
         queue = new BoatQueue(context);
         settings = new SettingsForm(context);
         launch = new LaunchPanel(context);
@@ -80,6 +81,13 @@ public final class SelectedBoatPanel extends FoldingPanel {
         foldBelowHeight(TIGHT, this::scrollWholeTab);
         context.boats().addListener(this::refresh);
         refresh();
+    }
+
+    /** Gives a boat that is driven by hand, or whose motor is tried, back to the missions: no window goes on driving it. */
+    @Override
+    public void close() {
+        control.close();
+        launch.close();
     }
 
     /** A low panel has one line above its tabs, and says the facts in a tooltip. */

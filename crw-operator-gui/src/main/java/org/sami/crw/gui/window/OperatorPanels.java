@@ -277,6 +277,7 @@ public final class OperatorPanels implements AutoCloseable {
 
     @Override
     public void close() {
+        boat.close();
         map.close();
         pictures.close();
     }
