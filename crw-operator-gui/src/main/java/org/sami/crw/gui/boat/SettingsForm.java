@@ -37,13 +37,22 @@ final class SettingsForm extends JPanel {
     /** One setting: fields, a button, what is in force and what came of the last request. */
     private final class Line {
         private final Function<BoatTuning, String> inForce;
+        private final Entry entry;
+        private boolean filled;
         private final JLabel now = new JLabel("–");
         private final Command command;
         private String answer = "";
         private boolean bad;
 
-        Line(String id, String title, JComponent fields, Function<BoatTuning, String> inForce, Setting setting) {
+        Line(
+                String id,
+                String title,
+                JComponent fields,
+                Function<BoatTuning, String> inForce,
+                Setting setting,
+                Entry entry) {
             this.inForce = inForce;
+            this.entry = entry;
             command = context.commands()
                     .add(new Command("boat-set-" + id, "Set " + title.toLowerCase(Locale.ROOT), () -> set(setting))
                             .withIcon("check")
@@ -65,7 +74,9 @@ final class SettingsForm extends JPanel {
                 CompletionStage<Void> asked = setting.ask(context.session().fleet(), whom);
                 say("asked…", false);
                 asked.whenComplete((taken, fault) -> {
-                    say(fault == null ? "✓ taken" : "▲ " + RefusedException.reason(fault), fault != null);
+                    if (boat.filter(whom::equals).isPresent()) {
+                        say(fault == null ? "✓ taken" : "▲ " + RefusedException.reason(fault), fault != null);
+                    }
                     if (fault == null) {
                         context.notices()
                                 .show(whom + " took it: " + command.title().toLowerCase(Locale.ROOT));
@@ -83,7 +94,18 @@ final class SettingsForm extends JPanel {
             bad = wrong;
         }
 
+        /** Another boat is shown: what was entered for the one before, and its answer, do not concern it. */
+        private void turn() {
+            say("", false);
+            entry.clear();
+            filled = false;
+        }
+
         private void show(Optional<BoatTuning> settings) {
+            if (!filled && settings.isPresent()) {
+                entry.fill(settings.get());
+                filled = true;
+            }
             String text =
                     settings.map(inForce).map(value -> "in force: " + value).orElse("not known")
                             + (answer.isEmpty() ? "" : "   " + answer);
@@ -102,26 +124,83 @@ final class SettingsForm extends JPanel {
         CompletionStage<Void> ask(FrontFleet fleet, String boat);
     }
 
+    /** What is entered for a setting. */
+    private interface Entry {
+        /** Enters nothing. */
+        void clear();
+
+        /** Enters the value in force, where nothing was typed. */
+        void fill(BoatTuning settings);
+    }
+
+    /** Numbers that are typed. */
+    private record Numbers(List<JTextField> fields, Function<BoatTuning, List<Double>> inForce) implements Entry {
+        @Override
+        public void clear() {
+            fields.forEach(field -> field.setText(""));
+        }
+
+        @Override
+        public void fill(BoatTuning settings) {
+            if (fields.stream().allMatch(field -> field.getText().isBlank())) {
+                List<Double> values = inForce.apply(settings);
+                for (int i = 0; i < fields.size(); i++) {
+                    fields.get(i).setText(number(values.get(i)));
+                }
+            }
+        }
+    }
+
+    /** An action that is chosen, once the boat has said which is in force. */
+    private record Choice(JComboBox<LostLinkAction> box) implements Entry {
+        @Override
+        public void clear() {
+            box.setSelectedIndex(-1);
+        }
+
+        @Override
+        public void fill(BoatTuning settings) {
+            if (box.getSelectedIndex() < 0) {
+                box.setSelectedItem(settings.lostLinkAction());
+            }
+        }
+    }
+
+    /** A wish of the session, which is none of the boat that is shown. */
+    private static final class OfSession implements Entry {
+        @Override
+        public void clear() {
+            // it is the same for all boats
+        }
+
+        @Override
+        public void fill(BoatTuning settings) {
+            // no boat says it
+        }
+    }
+
     SettingsForm(OperatorContext context) {
         super(new MigLayout("novisualpadding, insets 8 12 8 12, gap 8 4, fillx, wrap 4", "[][][][grow,fill]"));
         this.context = context;
         setName("boat-settings");
         addGains("heading", "Steering gains", GainAxis.HEADING, BoatTuning::heading);
         addGains("speed", "Driving gains", GainAxis.SPEED, BoatTuning::speed);
-        JTextField multiplier = field("boat-velocity", "1");
+        JTextField multiplier = field("boat-velocity", "");
         lines.add(new Line(
                 "velocity",
                 "Velocity multiplier",
                 multiplier,
                 settings -> number(settings.velocityMultiplier()),
-                (fleet, whom) -> fleet.setVelocityMultiplier(whom, number(multiplier))));
+                (fleet, whom) -> fleet.setVelocityMultiplier(whom, number(multiplier)),
+                new Numbers(List.of(multiplier), settings -> List.of(settings.velocityMultiplier()))));
         JComboBox<LostLinkAction> action = actions("boat-lost-link", "What the boat does when its link is lost");
         lines.add(new Line(
                 "lost-link",
                 "Without a link",
                 action,
                 settings -> context.say(LostLinkWords.of(settings.lostLinkAction())),
-                (fleet, whom) -> fleet.setLostLinkAction(whom, action.getItemAt(action.getSelectedIndex()))));
+                (fleet, whom) -> fleet.setLostLinkAction(whom, chosen(action)),
+                new Choice(action)));
         JComboBox<LostLinkAction> wish = actions("boat-lost-link-wish", "What is wished of all boats without a link");
         wish.insertItemAt(null, 0);
         wish.setSelectedIndex(0);
@@ -130,7 +209,8 @@ final class SettingsForm extends JPanel {
                 "Wished without a link",
                 wish,
                 settings -> wished(context.lostLinkWish()),
-                (fleet, whom) -> fleet.wishLostLink(Optional.ofNullable(wish.getItemAt(wish.getSelectedIndex())))));
+                (fleet, whom) -> fleet.wishLostLink(Optional.ofNullable(wish.getItemAt(wish.getSelectedIndex()))),
+                new OfSession()));
     }
 
     private String wished(Optional<LostLinkAction> wish) {
@@ -169,7 +249,19 @@ final class SettingsForm extends JPanel {
                     return "P " + number(gains.proportional()) + ", I " + number(gains.integral()) + ", D "
                             + number(gains.derivative());
                 },
-                (fleet, whom) -> fleet.setGains(whom, axis, new Gains(number(p), number(i), number(d)))));
+                (fleet, whom) -> fleet.setGains(whom, axis, new Gains(number(p), number(i), number(d))),
+                new Numbers(List.of(p, i, d), settings -> values(of.apply(settings)))));
+    }
+
+    private static List<Double> values(Gains gains) {
+        return List.of(gains.proportional(), gains.integral(), gains.derivative());
+    }
+
+    private static LostLinkAction chosen(JComboBox<LostLinkAction> box) {
+        if (box.getSelectedIndex() < 0) {
+            throw new IllegalArgumentException("choose what it does first");
+        }
+        return box.getItemAt(box.getSelectedIndex());
     }
 
     private JTextField field(String name, String text) {
@@ -197,7 +289,7 @@ final class SettingsForm extends JPanel {
     void show(Optional<String> which, Optional<BoatTuning> settings) {
         if (!which.equals(boat)) {
             boat = which;
-            lines.forEach(line -> line.say("", false));
+            lines.forEach(Line::turn);
         }
         lines.forEach(line -> line.show(settings));
     }

@@ -66,6 +66,35 @@ class SelectedBoatPanelTest {
     }
 
     @Test
+    void aBoatThatIsSelectedShowsItsOwnValuesAndNoAnswerOfTheOneBefore() throws Exception {
+        try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna", "bella")) {
+            SelectedBoatPanel panel = panel(world, "anna");
+            until(
+                    panel,
+                    "what is in force is entered",
+                    () -> text(panel, "boat-velocity").equals("1"));
+            type(panel, "boat-heading-p", "2");
+            type(panel, "boat-velocity", "0.5");
+
+            onEventThread(() -> {
+                world.context.commands().get("boat-set-velocity").run();
+                world.context.boats().select(List.of("bella")); // before anna has answered
+                return null;
+            });
+
+            SessionWorld.until(
+                    "anna has taken it",
+                    () -> boat(world).settings().orElseThrow().velocityMultiplier() == 0.5);
+            until(
+                    panel,
+                    "bella's is entered",
+                    () -> text(panel, "boat-velocity").equals("1"));
+            assertThat(text(panel, "boat-velocity-now")).isEqualTo("in force: 1");
+            assertThat(text(panel, "boat-heading-p")).isNotEqualTo("2");
+        }
+    }
+
+    @Test
     void aClearedBlockGivesTheBoatToOthersAndACancelledCommandFails() throws Exception {
         try (SessionWorld world = new SessionWorld(SessionWorld.library("clv"), "anna")) {
             SelectedBoatPanel panel = panel(world, "anna");
