@@ -24,6 +24,7 @@ final class DecisionCommands {
                 .unless(steps::whyNot));
         refuse = registry.add(new Command("decision-refuse", "None of these", steps::refuse)
                 .withKey("alt BACK_SPACE")
+                .once()
                 .unless(steps::whyNotRefuse));
         draw = registry.add(new Command("decision-draw", "Answer on the map", steps::drawOnMap)
                 .withKey("alt D")

@@ -9,6 +9,7 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
+import org.sami.ui.command.OnePress;
 
 /** The keys of the panel while the focus is in it: digits choose, Enter answers, Escape puts the pen down or leaves. In a text, digits are text. */
 final class DecisionKeys {
@@ -27,7 +28,12 @@ final class DecisionKeys {
             bind(panel, KeyEvent.VK_1 + i, "choose-" + (i + 1), choose);
             bind(panel, KeyEvent.VK_NUMPAD1 + i, "choose-" + (i + 1), choose);
         }
-        bind(panel, KeyEvent.VK_ENTER, "answer", steps::answer);
+        OnePress enter = new OnePress(); // the next decision is shown by the second
+        bind(panel, KeyEvent.VK_ENTER, "answer", () -> {
+            if (enter.isOwn()) {
+                steps.answer();
+            }
+        });
         bind(panel, KeyEvent.VK_ESCAPE, "leave", steps::escape);
     }
 

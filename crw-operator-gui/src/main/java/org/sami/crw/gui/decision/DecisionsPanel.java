@@ -399,9 +399,11 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
 
     @Override
     public void refuse() {
-        attend();
-        giving.give(current.orElseThrow(), new Answer.Rejected());
-        commands.refresh();
+        if (!presses.isHandledLate()) {
+            attend();
+            giving.give(current.orElseThrow(), new Answer.Rejected());
+            commands.refresh();
+        }
     }
 
     @Override
@@ -437,7 +439,8 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
 
     @Override
     public void choose(int option) {
-        current.filter(view -> !shown.isOver()).ifPresent(view -> view.editor().choose(option));
+        current.filter(view -> !shown.isOver() && !presses.isHandledLate())
+                .ifPresent(view -> view.editor().choose(option));
     }
 
     /** Leaves the shown decision: what was filled in is kept, and the most urgent one is shown again. */

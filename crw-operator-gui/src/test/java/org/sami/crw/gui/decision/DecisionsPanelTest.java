@@ -147,6 +147,34 @@ class DecisionsPanelTest {
         }
     }
 
+    @Test
+    void pressThatWasMadeBeforeAQuestionWasShownChoosesNothing() throws Exception {
+        try (PanelWorld world = new PanelWorld("clv", "anna")) {
+            world.session.start("clv", "second", Map.of()).toCompletableFuture().join();
+            world.until("two wait", () -> "1 of 2".equals(world.text("decision-position")));
+            JLabel key = new JLabel();
+            key.addMouseListener(new MouseAdapter() {
+                @Override
+                public void mousePressed(MouseEvent press) {
+                    world.panel.choose(0);
+                }
+            });
+            MouseEvent early = pressNow(key);
+            world.until("time has passed", () -> System.currentTimeMillis() > early.getWhen());
+            world.press("decision-later");
+            assertThat(world.enabled("decision-answer")).as("all are proposed").isTrue();
+
+            EventQueue queue = Toolkit.getDefaultToolkit().getSystemEventQueue();
+            queue.postEvent(early);
+            assertThat(world.enabled("decision-answer"))
+                    .as("nobody was taken off")
+                    .isTrue();
+
+            queue.postEvent(pressNow(key));
+            world.until("a later press chooses", () -> !world.enabled("decision-answer"));
+        }
+    }
+
     private static MouseEvent pressNow(Component at) {
         return new MouseEvent(at, MouseEvent.MOUSE_PRESSED, System.currentTimeMillis(), 0, 0, 0, 1, false);
     }
