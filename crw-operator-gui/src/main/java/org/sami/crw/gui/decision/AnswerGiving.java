@@ -1,51 +1,46 @@
 package org.sami.crw.gui.decision;
 
 import java.util.Optional;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.sami.session.api.Judgement;
 import org.sami.session.api.RefusedException;
 import org.sami.spn.protocol.Answer;
 
 /**
- * Gives the answer of the shown decision: as soon as it is judged, unless something is to be minded first, and after three seconds although it is not judged. On
+ * Gives the answer of a decision: as soon as it is judged, unless something is to be minded first, and after three seconds although it is not judged. On
  * the event thread.
  */
 final class AnswerGiving {
     private static final long LONGEST_JUDGING_MS = 3000;
 
     private final DecisionActions actions;
-    private final Runnable given;
+    private final Consumer<DecisionView> given;
     private final Runnable changed;
     private boolean underWay;
     private boolean pressed;
     private long pressedMillis;
-    private String refusal = "";
 
     /**
      * Nothing is given yet.
      *
-     * @param given is called when an answer was taken
+     * @param given is called when an answer was taken, with its decision: another one may be shown by then
      * @param changed is called when something else is so
      */
-    AnswerGiving(DecisionActions actions, Runnable given, Runnable changed) {
+    AnswerGiving(DecisionActions actions, Consumer<DecisionView> given, Runnable changed) {
         this.actions = actions;
         this.given = given;
         this.changed = changed;
     }
 
-    /** Another decision is shown, or something else is filled in: earlier judgements and presses belong to another answer. */
+    /** Another decision is shown, or something else is filled in: earlier presses belong to another answer. */
     void forget() {
-        refusal = "";
         pressed = false;
     }
 
     /** Why nothing can be given now; empty where something can. */
     Optional<String> whyNot() {
         return underWay ? Optional.of("an answer is under way") : Optional.empty();
-    }
-
-    /** Why the last answer was refused; empty text where it was not. */
-    String refusal() {
-        return refusal;
     }
 
     /** Gives what is filled in, which fits its question. */
@@ -88,9 +83,9 @@ final class AnswerGiving {
         underWay = true;
         actions.answer(view.decision().id(), answer).whenComplete((done, fault) -> {
             underWay = false;
-            tellRefusal(fault);
+            view.refused(words(fault));
             if (fault == null) {
-                given.run();
+                given.accept(view);
             }
             changed.run();
         });
@@ -99,12 +94,12 @@ final class AnswerGiving {
     /** Stops the timer after which autonomy would answer. */
     void stopTimer(DecisionView view) {
         actions.hold(view.decision().id()).whenComplete((done, fault) -> {
-            tellRefusal(fault);
+            view.refused(words(fault));
             changed.run();
         });
     }
 
-    private void tellRefusal(Throwable fault) {
-        refusal = fault == null ? "" : "▲ " + RefusedException.reason(fault);
+    private static String words(@Nullable Throwable fault) {
+        return fault == null ? "" : "▲ " + RefusedException.reason(fault);
     }
 }

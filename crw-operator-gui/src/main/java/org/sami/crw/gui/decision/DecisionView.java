@@ -29,6 +29,7 @@ final class DecisionView {
     private final QuestionEditor editor;
     private final boolean refusable;
     private final JudgedDraft judged;
+    private String refusal = "";
 
     /**
      * A decision with nothing filled in but what it proposes.
@@ -60,6 +61,16 @@ final class DecisionView {
                 && actions.check(decision.id(), new Answer.Rejected()).isEmpty();
         judged = new JudgedDraft(
                 this::draft, draft -> actions.judge(decision.decision(), draft), () -> rejudged.accept(this));
+    }
+
+    /** Why the last answer to it was refused; empty text where it was not, or something else is filled in since. */
+    String refusal() {
+        return refusal;
+    }
+
+    /** The last answer to it was refused with this reason; empty text where it was not. */
+    void refused(String why) {
+        refusal = why;
     }
 
     private DraftAnswer draft() {

@@ -86,7 +86,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
         this.editors = editors;
         strip = new DecisionPictures(registry, pictures);
         shown = new ShownDecision(() -> System.nanoTime() / 1_000_000);
-        giving = new AnswerGiving(actions, shown::follow, this::refresh);
+        giving = new AnswerGiving(actions, this::given, this::refresh);
         pen = new DecisionPen(map, this::penEnded);
         commands = new DecisionCommands(registry, this);
         bar = new AnswerBar(commands);
@@ -167,6 +167,13 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
         views.keySet().retainAll(waiting);
         pen.retain(waiting);
         refresh();
+    }
+
+    /** An answer was taken: where its decision is shown yet the next one comes, else the operator is at another one by now. */
+    private void given(DecisionView answered) {
+        if (current.filter(answered::equals).isPresent()) {
+            shown.follow();
+        }
     }
 
     private void settle() {
@@ -276,6 +283,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
                 attend();
             }
             giving.forget();
+            view.refused("");
             view.judged().look();
             map.show(view.decision(), view.editor().values());
             tellProblem();
@@ -303,11 +311,12 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
                 .map(view -> view.judged().judgement())
                 .orElse(Judgement.NOTHING);
         judgement.show(judged);
-        String refusal = shown.isOver() ? "This decision was answered meanwhile" : giving.refusal();
+        String refused = current.map(DecisionView::refusal).orElse("");
+        String refusal = shown.isOver() ? "This decision was answered meanwhile" : refused;
         String text = refusal.isEmpty() ? whyNot().orElseGet(() -> giving.first(judged)) : refusal;
         bar.tell(
                 text,
-                !giving.refusal().isEmpty()
+                !refused.isEmpty()
                         || judged.refusal().filter(text::equals).isPresent());
     }
 

@@ -148,6 +148,44 @@ class DecisionsPanelTest {
     }
 
     @Test
+    void anAnswerThatIsTakenLeavesTheDecisionThatTheOperatorIsAtByThen() throws Exception {
+        try (PanelWorld world = new PanelWorld("clv", "anna")) {
+            world.session.start("clv", "second", Map.of()).toCompletableFuture().join();
+            world.session.start("clv", "third", Map.of()).toCompletableFuture().join();
+            world.until("three wait", () -> "1 of 3".equals(world.text("decision-position")));
+            world.press("decision-later");
+            assertThat(world.text("decision-asker")).startsWith("second");
+
+            world.until("it is answered, and the next is worked on", () -> onEventThread(() -> {
+                world.panel.answer();
+                boolean underWay = world.panel
+                        .whyNot()
+                        .filter("an answer is under way"::equals)
+                        .isPresent();
+                world.panel.browse(underWay ? 1 : -1);
+                if (underWay) {
+                    world.panel.choose(0);
+                } else {
+                    world.panel.browse(1); // that press is forgotten: it waited for a judgement
+                }
+                return underWay;
+            }));
+
+            world.until(
+                    "the answer was taken",
+                    () -> world.context.models().decisions().snapshot().stream()
+                            .anyMatch(one -> one.decision().question() instanceof Question.FillIn));
+            world.until(
+                    "nothing is under way",
+                    () -> world.panel
+                            .whyNot()
+                            .filter("an answer is under way"::equals)
+                            .isEmpty());
+            assertThat(world.text("decision-asker")).startsWith("third");
+        }
+    }
+
+    @Test
     void pressThatWasMadeBeforeAQuestionWasShownChoosesNothing() throws Exception {
         try (PanelWorld world = new PanelWorld("clv", "anna")) {
             world.session.start("clv", "second", Map.of()).toCompletableFuture().join();
