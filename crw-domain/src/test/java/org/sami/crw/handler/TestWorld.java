@@ -179,7 +179,8 @@ final class TestWorld implements HostClock {
         }
     }
 
-    private void drain() {
+    /** What is to be done at this moment is done. */
+    void drain() {
         for (Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
             task.run();
         }

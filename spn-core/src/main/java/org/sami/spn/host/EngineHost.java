@@ -225,7 +225,7 @@ public final class EngineHost implements AutoCloseable, HandlerSupport {
         toBeResumed = false;
         awaited.look(view);
         List<Activation> open = view.openActivations();
-        open.forEach(activation -> handlers.deliver(activation, true));
+        open.forEach(activation -> handlers.deliver(activation, Handlers.Delivery.AFTER_CRASH));
         timer.arm(view.nextDueMillis());
     }
 
@@ -247,12 +247,13 @@ public final class EngineHost implements AutoCloseable, HandlerSupport {
     }
 
     /**
-     * Delivers an open activation to its handler again, as after a crash; one whose visit has ended is not. For an activation whose handler failed.
+     * Delivers an open activation to its handler again, by somebody's order ({@link HandlerContext#orderedAgain}); one whose visit has ended is not. For what
+     * has failed of it.
      */
     public void redeliver(long activation) {
         lock.lock();
         try {
-            view.activation(activation).ifPresent(open -> handlers.deliver(open, true));
+            view.activation(activation).ifPresent(open -> handlers.deliver(open, Handlers.Delivery.ORDERED_AGAIN));
         } finally {
             release();
         }

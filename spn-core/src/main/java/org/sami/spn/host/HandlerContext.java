@@ -21,6 +21,11 @@ public interface HandlerContext {
     /** The session's clock, in milliseconds. */
     long nowMillis();
 
-    /** Whether this activation was delivered before a crash already. */
+    /** Whether this activation was delivered before: before a crash, or before somebody ordered it again. */
     boolean redelivered();
+
+    /** Whether somebody ordered that it is delivered again ({@link EngineHost#redeliver}); false after a crash. */
+    default boolean orderedAgain() {
+        return false;
+    }
 }

@@ -43,27 +43,34 @@ final class Handlers {
         return () -> byType.remove(type, entry);
     }
 
-    void deliver(Activation activation, boolean redelivered) {
+    /** Why an activation is delivered. */
+    enum Delivery {
+        FIRST,
+        AFTER_CRASH,
+        ORDERED_AGAIN
+    }
+
+    void deliver(Activation activation, Delivery delivery) {
         Entry entry = byType.get(canonical(activation.type()));
         if (entry != null) {
-            dispatch(entry, activation, redelivered);
+            dispatch(entry, activation, delivery);
         } else if (needsHandler(activation)) {
             failed(activation, "nothing handles " + activation.type());
         }
     }
 
-    private void dispatch(Entry entry, Activation activation, boolean redelivered) {
+    private void dispatch(Entry entry, Activation activation, Delivery delivery) {
         try {
-            entry.executor.execute(() -> run(entry.handler, activation, redelivered));
+            entry.executor.execute(() -> run(entry.handler, activation, delivery));
         } catch (RejectedExecutionException refused) {
             LOG.log(Level.WARNING, "the executor of " + activation.type() + " refused activation " + activation.id());
             failed(activation, "the handler of " + activation.type() + " takes no more work");
         }
     }
 
-    private void run(ActivationHandler handler, Activation activation, boolean redelivered) {
+    private void run(ActivationHandler handler, Activation activation, Delivery delivery) {
         try {
-            handler.handle(activation, new Context(redelivered));
+            handler.handle(activation, new Context(delivery));
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
             failed(activation, "its handler was interrupted");
@@ -99,10 +106,10 @@ final class Handlers {
     private record Entry(ActivationHandler handler, Executor executor) {}
 
     private final class Context implements HandlerContext {
-        private final boolean redelivered;
+        private final Delivery delivery;
 
-        Context(boolean redelivered) {
-            this.redelivered = redelivered;
+        Context(Delivery delivery) {
+            this.delivery = delivery;
         }
 
         @Override
@@ -122,7 +129,12 @@ final class Handlers {
 
         @Override
         public boolean redelivered() {
-            return redelivered;
+            return delivery != Delivery.FIRST;
+        }
+
+        @Override
+        public boolean orderedAgain() {
+            return delivery == Delivery.ORDERED_AGAIN;
         }
     }
 }

@@ -39,7 +39,7 @@ record Step(JournalEntry entry, List<Effect> effects, List<Activation> activatio
             listeners.each(listener -> listener.onStep(entry.index(), entry.atMillis(), entry.input(), effects, view));
         }
         for (Activation activation : activations) {
-            handlers.deliver(activation, false);
+            handlers.deliver(activation, Handlers.Delivery.FIRST);
         }
     }
 

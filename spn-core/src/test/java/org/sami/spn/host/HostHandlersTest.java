@@ -105,10 +105,13 @@ class HostHandlersTest extends HostOnManualExecutor {
                 .build()) {
             resumed.register(
                     "Do",
-                    (activation, context) -> log.add("again " + activation.id() + " " + context.redelivered()),
+                    (activation, context) -> log.add(
+                            "again " + activation.id() + " " + context.redelivered() + " " + context.orderedAgain()),
                     Runnable::run);
             resumed.resume();
-            assertThat(log).endsWith("sync", "again 1 true");
+            assertThat(log).endsWith("sync", "again 1 true false");
+            resumed.redeliver(1);
+            assertThat(log).as("by somebody's order").endsWith("again 1 true true");
 
             laterClock.moveTo(1000);
             executor.runAll();

@@ -8,6 +8,7 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.EngineHost;
 
 /**
@@ -22,6 +23,14 @@ public final class SentLists implements Consumer<FleetEvent> {
     public SentLists(EngineHost host, ProxyRegistry boats) {
         this.host = host;
         this.boats = boats;
+    }
+
+    /** Whether the list that a boat took last is that of a command. */
+    public static boolean isOf(String commandId, String boatId, EngineView view) {
+        return SessionMemory.LIST
+                .of(boatId, view)
+                .filter(listId -> listId.startsWith(commandId + "#"))
+                .isPresent();
     }
 
     @Override

@@ -74,7 +74,34 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         List<Move> wanted = moves.stream()
                 .filter(move -> !without.contains(move.addressee().boat()))
                 .toList();
-        check(activation, context, awaitingPosition.hold(activation, context, wanted));
+        List<Move> unknown = context.redelivered() ? goOn(activation, context, wanted) : wanted;
+        check(activation, context, awaitingPosition.hold(activation, context, unknown));
+    }
+
+    /**
+     * Goes on with what is known of moves that are delivered again: what was sent, of which the boat may be on its way, is sent without another check; what the
+     * operator refused is refused. Returns the others.
+     */
+    private List<Move> goOn(Activation activation, HandlerContext context, List<Move> moves) {
+        WayAnswers answers = new WayAnswers(activation, context);
+        List<Move> sentBefore = new ArrayList<>();
+        List<Move> unknown = new ArrayList<>();
+        for (Move move : moves) {
+            Optional<CommandMemory> known =
+                    context.orderedAgain() ? Optional.empty() : move.remembered(activation, context);
+            if (known.isPresent()) {
+                sentBefore.add(move);
+            } else if (answers.refuse(move.addressee().boat())) {
+                SentCommand one = new SentCommand(activation, context, move);
+                one.post(failed(one, WayQuestions.REJECTED_WAY));
+            } else {
+                unknown.add(move);
+            }
+        }
+        if (!sentBefore.isEmpty()) {
+            sendNow(activation, context, clearWays.limit(activation, context, sentBefore));
+        }
+        return unknown;
     }
 
     /**
@@ -136,6 +163,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                 settled.addAll(failed(
                         one, BoatMoves.refusal(activation.type(), boat.get()).orElseThrow()));
             } else {
+                settled.addAll(move.remember(CommandMemory.SENT, activation, context));
                 sent.put(move.command().commandId(), one);
                 boat.get().commands().submit(SpeedChoice.of(activation, move.command(), boat.get()));
             }

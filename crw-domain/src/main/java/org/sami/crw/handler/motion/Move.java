@@ -1,5 +1,6 @@
 package org.sami.crw.handler.motion;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.handler.activation.Addressee;
@@ -7,6 +8,7 @@ import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.service.reach.WayDoubt;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Input;
 
 /**
  * A command for one boat, from an activation.
@@ -42,6 +44,16 @@ public record Move(
     /** The same, about which the operator is to be asked. */
     public Move doubted(WayDoubt other) {
         return new Move(addressee, command, progress, reply, Optional.of(other));
+    }
+
+    /** What the mission remembers of its command; empty where it remembers nothing. */
+    Optional<CommandMemory> remembered(Activation activation, HandlerContext context) {
+        return CommandMemory.of(activation.mission(), addressee.boat(), command.commandId(), context);
+    }
+
+    /** Has the mission remember this of its command. */
+    List<Input> remember(CommandMemory what, Activation activation, HandlerContext context) {
+        return what.of(activation.mission(), command.commandId(), context);
     }
 
     /** The command's id: the same whenever the activation is delivered, and no other's. */

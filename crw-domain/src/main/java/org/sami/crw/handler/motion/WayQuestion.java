@@ -11,7 +11,6 @@ import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
-import org.sami.spn.value.BooleanValue;
 
 /**
  * A question about the ways on which an activation sends boats, and the moves that wait for its answer. The answer is remembered for each boat in
@@ -60,7 +59,10 @@ record WayQuestion(
     /** Takes the boats out about which the operator has given this answer already; empty where there are none. */
     Optional<WayQuestion> takeAnswered(boolean yes) {
         List<Doubted> answered = doubted.stream()
-                .filter(one -> answer(one.boat()).filter(known -> known == yes).isPresent())
+                .filter(one -> answers()
+                        .of(kind, one.boat())
+                        .filter(known -> known == yes)
+                        .isPresent())
                 .toList();
         doubted.removeAll(answered);
         return answered.isEmpty()
@@ -68,30 +70,13 @@ record WayQuestion(
                 : Optional.of(new WayQuestion(kind, activation, context, sender, new ArrayList<>(answered)));
     }
 
-    /** Journals from before 2026-11-28 keep one answer for all boats of the activation. */
-    private Optional<Boolean> answer(String boat) {
-        return answerAt(memory(boat)).or(() -> answerAt(memory()));
-    }
-
-    private Optional<Boolean> answerAt(String key) {
-        return context.query(view -> view.memory(activation.mission(), key))
-                .filter(BooleanValue.class::isInstance)
-                .map(value -> ((BooleanValue) value).value());
-    }
-
     /** Has the mission remember the operator's answer for each boat, so that nobody is asked again after a restart of the base. */
     void remember(boolean yes) {
-        context.post(doubted.stream()
-                .<Input>map(one -> new Input.Remember(activation.mission(), memory(one.boat()), new BooleanValue(yes)))
-                .toList());
+        answers().remember(kind, doubted.stream().map(Doubted::boat).toList(), yes);
     }
 
-    private String memory() {
-        return "way/" + kind.kind() + "/" + activation.id();
-    }
-
-    private String memory(String boat) {
-        return memory() + "/" + boat;
+    private WayAnswers answers() {
+        return new WayAnswers(activation, context);
     }
 
     /** Sends all that wait. */

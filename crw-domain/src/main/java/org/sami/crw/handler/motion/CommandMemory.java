@@ -1,0 +1,47 @@
+package org.sami.crw.handler.motion;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.sami.crw.handler.boat.SentLists;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
+
+/**
+ * What a mission remembers of a command that an activation gave to a boat, across restarts of the base: activations stay open after their commands are
+ * over, and are delivered again (decision 0731). Journals from before 2026-11-30 lack it.
+ */
+enum CommandMemory {
+    /** It went into the boat's queue: its way was checked, or the operator wanted it. */
+    SENT("sent");
+
+    private static final String KEY = "command/";
+
+    private final String word;
+
+    CommandMemory(String word) {
+        this.word = word;
+    }
+
+    /** What the mission remembers of a command; empty where it remembers nothing. */
+    static Optional<CommandMemory> of(long mission, String boat, String commandId, HandlerContext context) {
+        return context.query(view -> view.memory(mission, KEY + commandId)
+                .flatMap(CommandMemory::read)
+                .or(() -> SentLists.isOf(commandId, boat, view) ? Optional.of(SENT) : Optional.empty()));
+    }
+
+    private static Optional<CommandMemory> read(Value remembered) {
+        return Arrays.stream(values())
+                .filter(one -> remembered.equals(new TextValue(one.word)))
+                .findFirst();
+    }
+
+    /** Has the mission remember this of a command; nothing where the mission is over, as nothing is delivered again then. */
+    List<Input> of(long mission, String commandId, HandlerContext context) {
+        return context.query(view -> view.mission(mission).isPresent())
+                ? List.of(new Input.Remember(mission, KEY + commandId, new TextValue(word)))
+                : List.of();
+    }
+}

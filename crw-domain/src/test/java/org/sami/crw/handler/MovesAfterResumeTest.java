@@ -1,0 +1,193 @@
+package org.sami.crw.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.event.ProxyMaps;
+import org.sami.crw.proxy.ProxyCommands;
+import org.sami.crw.service.Geodesy;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.MissionStatus;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.BooleanValue;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.TextValue;
+
+/** What becomes of moves of boats under a base that goes on with a mission: the engine's memory stays, and the activations are delivered again. */
+class MovesAfterResumeTest {
+    private static final GeoPath NEAR = to(100);
+    private static final GeoPath FAR = to(6_000);
+
+    private final ScriptedEngine engine = new ScriptedEngine(TestWorld.VOCABULARY);
+    private TestWorld world = new TestWorld(engine);
+
+    private static GeoPath to(double northM) {
+        return new GeoPath(List.of(Geodesy.offset(TestWorld.HOME, 0, northM)));
+    }
+
+    @BeforeEach
+    void aBoatInItsMission() {
+        stands(1, "here");
+        world.addBoat("a", 0, 0);
+    }
+
+    private void stands(long mission, String place) {
+        engine.missions.put(
+                mission,
+                new MissionView(
+                        mission,
+                        0,
+                        mission,
+                        "plan",
+                        "",
+                        MissionStatus.RUNNING,
+                        Map.of(place, List.of(new Token.Proxy("a")))));
+    }
+
+    private static Activation path(GeoPath path) {
+        return new TestActivations("ProxyExecutePath")
+                .with("paths", ProxyMaps.toValue(Map.of("a", path)))
+                .of("a")
+                .activation();
+    }
+
+    private void asks(Activation activation) {
+        engine.open.add(activation);
+        world.happens(engine, new Effect.Activated(activation));
+    }
+
+    /** Another process of the base goes on; its boat has not said anything yet. */
+    private void resume() {
+        world.drain();
+        world = new TestWorld(engine);
+        world.addBoat("a", 0, 0);
+        world.host.resume();
+        world.drain();
+    }
+
+    private ProxyCommands commands() {
+        return world.boats.find("a").orElseThrow().commands();
+    }
+
+    private boolean hasCommand() {
+        return commands().current().isPresent() || !commands().waiting().isEmpty();
+    }
+
+    private List<Input.AskOperator> asked() {
+        return engine.inputs.stream()
+                .filter(Input.AskOperator.class::isInstance)
+                .map(Input.AskOperator.class::cast)
+                .toList();
+    }
+
+    private void answer(boolean yes) {
+        Input.AskOperator last = asked().get(asked().size() - 1);
+        world.happens(engine, new Effect.QuestionAnswered(last.kind(), last.about(), yes));
+        world.run(1);
+    }
+
+    private List<Occurrence> failures() {
+        return engine.received("ProxyPathFailed");
+    }
+
+    @Test
+    void aWayThatWasNeverCheckedIsAskedAboutBeforeItIsDriven() {
+        asks(path(FAR));
+        assertThat(hasCommand()).as("it has not said where it is").isFalse();
+
+        resume();
+        assertThat(hasCommand()).isFalse();
+        world.run(2);
+
+        assertThat(asked()).singleElement().extracting(Input.AskOperator::kind).isEqualTo("DoubtfulWay");
+        assertThat(hasCommand()).isFalse();
+    }
+
+    @Test
+    void aWayThatTheOperatorRefusedIsNotDriven() {
+        world.run(1);
+        asks(path(FAR));
+        answer(false);
+        assertThat(failures()).hasSize(1);
+
+        resume();
+        assertThat(hasCommand()).isFalse();
+        world.run(5);
+
+        assertThat(hasCommand()).isFalse();
+        assertThat(world.hull("a").isAtRest()).isTrue();
+        assertThat(asked()).hasSize(1);
+    }
+
+    /** A journal of an earlier version, or a base that ended between the answer and the failure. */
+    @Test
+    void aRefusalThatThePlanHasNotHeardOfIsToldWithoutAQuestion() {
+        Activation near = path(NEAR);
+        engine.step(0, new Input.Remember(1, "way/LongWay/7/a", new BooleanValue(false)), any -> {});
+        engine.open.add(near);
+
+        resume();
+        world.run(5);
+
+        assertThat(failures())
+                .singleElement()
+                .satisfies(failure -> assertThat(failure.values())
+                        .containsEntry("reason", new TextValue("the operator does not want it")));
+        assertThat(asked()).isEmpty();
+        assertThat(hasCommand()).isFalse();
+    }
+
+    @Test
+    void aCommandThatWasSentGoesOnAtOnceWithoutAnotherQuestion() {
+        world.run(1);
+        asks(path(FAR));
+        answer(true);
+        assertThat(hasCommand()).isTrue();
+
+        resume();
+        assertThat(commands().current()).isPresent();
+        world.run(5);
+
+        assertThat(asked()).hasSize(1);
+        assertThat(world.hull("a").isAtRest()).isFalse();
+    }
+
+    @Test
+    void aCommandWhoseListTheBoatTookUnderAnEarlierVersionGoesOnAtOnce() {
+        engine.step(0, new Input.Remember(Ids.NONE, "list/a", new TextValue("m1-a7-a#base.0.1")), any -> {});
+        engine.open.add(path(FAR));
+
+        resume();
+
+        assertThat(commands().current()).isPresent();
+        world.run(2);
+        assertThat(asked()).isEmpty();
+    }
+
+    @Test
+    void aCommandThatIsOrderedAgainIsCheckedOnceTheBoatHasSaidWhereItIs() {
+        world.run(1);
+        asks(path(FAR));
+        answer(true);
+        resume();
+        commands().cancel("m1-a7-a", "the operator cancelled it");
+        assertThat(hasCommand()).isFalse();
+        engine.step(0, new Input.Remember(1, "way/DoubtfulWay/7/a", new TextValue("nothing")), any -> {});
+
+        world.host.redeliver(7);
+        world.drain();
+        assertThat(hasCommand()).isFalse();
+        world.run(2);
+
+        assertThat(asked()).hasSize(2);
+        assertThat(hasCommand()).isFalse();
+    }
+}
