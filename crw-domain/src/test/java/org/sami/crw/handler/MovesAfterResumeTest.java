@@ -16,6 +16,7 @@ import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.BooleanValue;
 import org.sami.spn.value.GeoPath;
@@ -189,5 +190,130 @@ class MovesAfterResumeTest {
 
         assertThat(asked()).hasSize(2);
         assertThat(hasCommand()).isFalse();
+    }
+
+    private Activation goTo(String type, long mission, Priority priority) {
+        return new TestActivations(type)
+                .id(mission + 20)
+                .mission(mission)
+                .priority(priority)
+                .with("points", ProxyMaps.toValue(Map.of("a", Geodesy.offset(TestWorld.HOME, 0, 20))))
+                .of("a")
+                .activation();
+    }
+
+    private void assertNothingIsSent() {
+        int before = failures().size();
+        resume();
+        world.run(5);
+        assertThat(hasCommand()).isFalse();
+        assertThat(world.hull("a").isAtRest()).isTrue();
+        assertThat(failures()).as("told once").hasSize(before);
+    }
+
+    @Test
+    void aCommandThatFailedIsNotSentUnlessItIsOrderedAgain() {
+        world.run(1);
+        asks(path(NEAR));
+        commands().cancel("m1-a7-a", "the operator cancelled it");
+        world.drain();
+        assertThat(failures()).hasSize(1);
+
+        assertNothingIsSent();
+        world.host.redeliver(7);
+        world.run(5);
+
+        assertThat(commands().current()).isPresent();
+        assertThat(world.hull("a").isAtRest()).isFalse();
+        resume();
+        assertThat(commands().current()).as("it was sent again").isPresent();
+    }
+
+    @Test
+    void aCommandThatWasOrderedAgainAndIsAskedAboutIsStillAskedAbout() {
+        world.run(1);
+        asks(path(FAR));
+        answer(true);
+        commands().cancel("m1-a7-a", "the operator cancelled it");
+        engine.step(0, new Input.Remember(1, "way/DoubtfulWay/7/a", new TextValue("nothing")), any -> {});
+        world.host.redeliver(7);
+        world.run(1);
+        assertThat(asked()).hasSize(2);
+
+        resume();
+        world.run(2);
+
+        assertThat(asked()).hasSize(3);
+        answer(true);
+        assertThat(commands().current()).isPresent();
+    }
+
+    @Test
+    void whatAnEmergencyAbortOfAnotherMissionEndedIsNotSent() {
+        stands(2, "here");
+        world.run(1);
+        asks(path(NEAR));
+        world.run(3);
+        world.happens(
+                engine,
+                new TestActivations("ProxyEmergencyAbort")
+                        .id(9)
+                        .mission(2)
+                        .of("a")
+                        .effect());
+        assertThat(failures()).hasSize(1);
+
+        assertNothingIsSent();
+    }
+
+    @Test
+    void whatItsMissionTookBackIsNotSent() {
+        world.run(1);
+        asks(path(NEAR));
+        world.happens(
+                engine, new TestActivations("ProxyAbortMission").id(9).of("a").effect());
+        assertThat(hasCommand()).isFalse();
+
+        assertNothingIsSent();
+    }
+
+    @Test
+    void whatACommandOfHigherPriorityDisplacedIsNotSent() {
+        stands(2, "here");
+        world.run(1);
+        asks(path(NEAR));
+        world.happens(engine, new Effect.Activated(goTo("ProxyGotoPoint", 2, Priority.HIGH)));
+        assertThat(failures()).hasSize(1);
+
+        assertNothingIsSent();
+    }
+
+    @Test
+    void aPointThatTheBoatHasReachedIsNotDrivenToAgain() {
+        world.run(1);
+        asks(goTo("ProxyGotoPoint", 1, Priority.MEDIUM));
+        world.run(60);
+        assertThat(engine.received("ProxyPathCompleted")).hasSize(1);
+
+        assertNothingIsSent();
+        assertThat(engine.received("ProxyPathCompleted")).hasSize(1);
+    }
+
+    @Test
+    void aBoatThatIsKeptAtAPointIsKeptAgainAndNotMoved() {
+        stands(2, "here");
+        world.run(1);
+        asks(goTo("ProxyGotoPointAndBlock", 1, Priority.MEDIUM));
+        world.run(60);
+        assertThat(commands().queue().blockedBy()).hasValue(1L);
+
+        resume();
+        world.run(5);
+
+        assertThat(world.hull("a").isAtRest()).isTrue();
+        world.happens(engine, new Effect.Activated(goTo("ProxyGotoPoint", 2, Priority.MEDIUM)));
+        world.run(5);
+        assertThat(commands().waiting()).hasSize(1);
+        assertThat(world.hull("a").isAtRest()).isTrue();
     }
 }

@@ -83,9 +83,11 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener {
             } else if (next.flight.aircraft().stands(next.activation, next.context)) {
                 TaskId task = next.flight.aircraft().tasks().get(0);
                 Move move = Flights.move(next.activation, next.context, next.flight, REPLY, "-" + task.name());
-                flown.put(aircraft, new Flown(task, move.command().commandId()));
-                motion.send(next.activation, next.context, List.of(move));
-                return;
+                if (!move.isOver(next.activation, next.context)) {
+                    flown.put(aircraft, new Flown(task, move.command().commandId()));
+                    motion.send(next.activation, next.context, List.of(move));
+                    return;
+                }
             }
         }
         waiting.remove(aircraft);

@@ -15,7 +15,13 @@ import org.sami.spn.value.Value;
  */
 enum CommandMemory {
     /** It went into the boat's queue: its way was checked, or the operator wanted it. */
-    SENT("sent");
+    SENT("sent"),
+    /** The boat has done it. */
+    COMPLETED("completed"),
+    /** It ended without that: it failed, was refused, or was taken back. */
+    ENDED("ended"),
+    /** It was over, and somebody ordered it again: it is not in the boat's queue yet. */
+    ORDERED_AGAIN("ordered again");
 
     private static final String KEY = "command/";
 
@@ -36,6 +42,11 @@ enum CommandMemory {
         return Arrays.stream(values())
                 .filter(one -> remembered.equals(new TextValue(one.word)))
                 .findFirst();
+    }
+
+    /** Whether the command has had its result. */
+    boolean isOver() {
+        return this == COMPLETED || this == ENDED;
     }
 
     /** Has the mission remember this of a command; nothing where the mission is over, as nothing is delivered again then. */

@@ -79,29 +79,39 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     }
 
     /**
-     * Goes on with what is known of moves that are delivered again: what was sent, of which the boat may be on its way, is sent without another check; what the
-     * operator refused is refused. Returns the others.
+     * Goes on with what is known of moves that are delivered again. After a restart, what is over is not sent again, and what was sent, of which the boat may be
+     * on its way, goes on without another check. What the operator refused is refused. Returns the others.
      */
     private List<Move> goOn(Activation activation, HandlerContext context, List<Move> moves) {
         WayAnswers answers = new WayAnswers(activation, context);
         List<Move> sentBefore = new ArrayList<>();
         List<Move> unknown = new ArrayList<>();
         for (Move move : moves) {
-            Optional<CommandMemory> known =
-                    context.orderedAgain() ? Optional.empty() : move.remembered(activation, context);
-            if (known.isPresent()) {
+            Optional<CommandMemory> known = move.remembered(activation, context);
+            if (context.orderedAgain() && known.filter(CommandMemory::isOver).isPresent()) {
+                context.post(move.remember(CommandMemory.ORDERED_AGAIN, activation, context));
+            }
+            if (!context.orderedAgain() && known.filter(was -> was == CommandMemory.SENT).isPresent()) {
                 sentBefore.add(move);
+            } else if (move.isOver(activation, context)) {
+                known.filter(was -> was == CommandMemory.COMPLETED && move.command().block())
+                        .ifPresent(kept -> sentBefore.add(move.done()));
             } else if (answers.refuse(move.addressee().boat())) {
-                SentCommand one = new SentCommand(activation, context, move);
-                one.post(failed(one, WayQuestions.REJECTED_WAY));
+                refuse(activation, context, move, WayQuestions.REJECTED_WAY);
             } else {
                 unknown.add(move);
             }
         }
         if (!sentBefore.isEmpty()) {
+            questions.goOn(sentBefore);
             sendNow(activation, context, clearWays.limit(activation, context, sentBefore));
         }
         return unknown;
+    }
+
+    private void refuse(Activation activation, HandlerContext context, Move move, String reason) {
+        SentCommand one = new SentCommand(activation, context, move);
+        one.post(failed(one, reason));
     }
 
     /**
@@ -135,8 +145,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
 
             @Override
             public void refuse(Activation asked, HandlerContext answerTo, Move move, String reason) {
-                SentCommand one = new SentCommand(asked, answerTo, move);
-                one.post(failed(one, reason));
+                MotionCommands.this.refuse(asked, answerTo, move, reason);
             }
         });
         sendNow(activation, context, clear);
@@ -242,7 +251,9 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         for (String boat : named.isEmpty() ? boats.boatIds() : named) {
             boats.find(boat)
                     .ifPresent(proxy -> proxy.commands().withdraw(mission).forEach(command -> {
-                        left.takenFrom(boat, command, visited(sent.remove(command.commandId())));
+                        SentCommand taken = sent.remove(command.commandId());
+                        left.takenFrom(boat, command, visited(taken));
+                        end(taken);
                         tellAgain(command, one -> failed(one, "the mission that wanted it took it back"));
                     }));
         }
@@ -255,7 +266,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     public void release(String boat, List<TaskId> names) {
         for (Map.Entry<String, SentCommand> one : List.copyOf(sent.entrySet())) {
             if (one.getValue().boat().equals(boat) && one.getValue().release(names)) {
-                sent.remove(one.getKey());
+                end(sent.remove(one.getKey()));
                 boats.find(boat).ifPresent(proxy -> proxy.commands().withdraw(one.getKey()));
             }
         }
@@ -270,6 +281,13 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                     left.takenFrom(boat, command, visited(sent.get(command.commandId())));
                     onFailed(command, reason);
                 }));
+    }
+
+    /** What was taken from a boat is not sent again after a restart. */
+    private static void end(@Nullable SentCommand taken) {
+        if (taken != null) {
+            taken.post(taken.ended());
+        }
     }
 
     private static int visited(@Nullable SentCommand command) {
@@ -330,6 +348,8 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         String reason = why == Withdrawal.PREEMPTED ? "a command of higher priority took the boat" : REPLACED;
         if (one != null && (why == Withdrawal.PREEMPTED || one.isAwaited())) {
             one.post(failed(one, reason));
+        } else {
+            end(one);
         }
         tellAgain(command, each -> failed(each, reason));
     }

@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.reach.WayDoubt;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
@@ -49,6 +50,20 @@ public record Move(
     /** What the mission remembers of its command; empty where it remembers nothing. */
     Optional<CommandMemory> remembered(Activation activation, HandlerContext context) {
         return CommandMemory.of(activation.mission(), addressee.boat(), command.commandId(), context);
+    }
+
+    /** Whether its activation is delivered again after a restart of the base, and its command has had its result already: then it is not sent. */
+    public boolean isOver(Activation activation, HandlerContext context) {
+        return context.redelivered()
+                && !context.orderedAgain()
+                && remembered(activation, context).filter(CommandMemory::isOver).isPresent();
+    }
+
+    /** The same move for a boat that has done it, and that the mission keeps for itself: nothing of it is left. */
+    Move done() {
+        return command instanceof FollowPath path
+                ? with(path.startingAt(path.points().size()))
+                : this;
     }
 
     /** Has the mission remember this of its command. */

@@ -26,6 +26,7 @@ final class SentCommand {
     private final Reply reply;
     private final Optional<PathProgress.Along> along;
     private final int points;
+    private final Optional<Move> move;
     private int remembered;
 
     /** A command that an activation gave. */
@@ -35,6 +36,7 @@ final class SentCommand {
         addressee = move.addressee();
         reply = move.reply();
         along = move.progress();
+        this.move = Optional.of(move);
         boolean isPath = move.command() instanceof FollowPath;
         points = isPath ? ((FollowPath) move.command()).points().size() : 0;
         remembered = isPath ? ((FollowPath) move.command()).startIndex() : 0;
@@ -47,6 +49,7 @@ final class SentCommand {
         this.addressee = addressee;
         this.reply = reply;
         along = Optional.empty();
+        move = Optional.empty();
         points = 0;
     }
 
@@ -86,7 +89,8 @@ final class SentCommand {
     }
 
     List<Input> completed() {
-        List<Input> inputs = new ArrayList<>(progress(points));
+        List<Input> inputs = new ArrayList<>(remember(CommandMemory.COMPLETED));
+        inputs.addAll(progress(points));
         reply.completedEvent().ifPresent(event -> inputs.addAll(answer(event, Map.of())));
         return inputs;
     }
@@ -97,9 +101,20 @@ final class SentCommand {
     }
 
     List<Input> failed(String reason) {
-        return reply.failedEvent()
-                .map(event -> answer(event, Map.of("reason", new TextValue(reason))))
-                .orElse(List.of());
+        List<Input> inputs = new ArrayList<>(ended());
+        reply.failedEvent()
+                .ifPresent(event -> inputs.addAll(answer(event, Map.of("reason", new TextValue(reason)))));
+        return inputs;
+    }
+
+    /** It is over, and nobody is answered. */
+    List<Input> ended() {
+        return remember(CommandMemory.ENDED);
+    }
+
+    /** Before the answer, which may end the mission; in one batch with it, so that no restart separates them. */
+    private List<Input> remember(CommandMemory what) {
+        return move.map(one -> one.remember(what, activation, context)).orElse(List.of());
     }
 
     private List<Input> answer(String event, Map<String, Value> values) {

@@ -73,6 +73,11 @@ public final class WayQuestions implements HostListener {
         returns.accept(event);
     }
 
+    /** Counts moves that go on after a restart of the base; they were asked about before. */
+    void goOn(List<Move> moves) {
+        moves.forEach(returns::doubt);
+    }
+
     /** Keeps the moves that are doubted and asks about them; the others are returned. */
     List<Move> hold(Activation activation, HandlerContext context, List<Move> moves, MoveSender sender) {
         List<Move> clear = new ArrayList<>();
