@@ -16,6 +16,7 @@ import org.sami.crw.handler.boat.SettingRequests;
 import org.sami.crw.handler.boat.VelocityMultiplierHandler;
 import org.sami.crw.handler.motion.AbortHandler;
 import org.sami.crw.handler.motion.AbortScope;
+import org.sami.crw.handler.motion.Aborts;
 import org.sami.crw.handler.motion.BlockMovementHandler;
 import org.sami.crw.handler.motion.BoatErrors;
 import org.sami.crw.handler.motion.EmergencyAbortHandler;
@@ -133,11 +134,12 @@ final class DomainHandlers {
     }
 
     void addAborts() {
+        Aborts aborts = new Aborts(boats, motion, computations);
         for (AbortScope scope : AbortScope.values()) {
-            byType.put(scope.type(), new AbortHandler(scope, boats, motion));
+            byType.put(scope.type(), new AbortHandler(scope, boats, aborts));
         }
-        byType.put(ProxyAbortMissionHandler.TYPE, new ProxyAbortMissionHandler(motion));
-        byType.put(EmergencyAbortHandler.TYPE, new EmergencyAbortHandler(boats));
+        byType.put(ProxyAbortMissionHandler.TYPE, new ProxyAbortMissionHandler(aborts));
+        byType.put(EmergencyAbortHandler.TYPE, new EmergencyAbortHandler(aborts));
     }
 
     void addBoats(BoatConnector connector, NewBoats newBoats, SettingRequests settings) {

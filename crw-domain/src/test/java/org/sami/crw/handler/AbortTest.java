@@ -15,6 +15,8 @@ import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.MissionView;
+import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
@@ -209,5 +211,65 @@ class AbortTest {
         return engine.received("ProxyAbortMissionReceived").stream()
                 .map(signal -> tuple(signal.mission(), signal.activation(), signal.proxies()))
                 .toList();
+    }
+
+    /** Mission 5 sends boat c, which has not said where it is. */
+    private void boatThatWaitsForItsPosition() {
+        world.addBoat("c", 20, 0);
+        world.happens(engine, north("c", NORTH));
+    }
+
+    private static Effect north(String boat, GeoPath path) {
+        return new TestActivations("ProxyExecutePath")
+                .id(5)
+                .mission(5)
+                .with("paths", ProxyMaps.toValue(Map.of(boat, path)))
+                .of(boat)
+                .effect();
+    }
+
+    private void askFor(String event, String boat) {
+        world.happens(engine, new TestActivations(event).id(9).of(boat).effect());
+    }
+
+    private void assertFailedAndStays(String boat) {
+        assertThat(engine.received("ProxyPathFailed"))
+                .extracting(Occurrence::mission, Occurrence::activation, Occurrence::proxies)
+                .containsExactly(tuple(5L, 5L, List.of(boat)));
+        world.run(10);
+        assertThat(boat(boat).commands().current()).isEmpty();
+        assertThat(world.hull(boat).isAtRest()).isTrue();
+    }
+
+    @Test
+    void anEmergencyAbortFailsAMoveThatWaitsForThePositionOfItsBoat() {
+        boatThatWaitsForItsPosition();
+
+        askFor("ProxyEmergencyAbort", "c");
+
+        assertFailedAndStays("c");
+    }
+
+    @Test
+    void abortOfFutureMissionsFailsAMoveThatWaitsForThePositionOfItsBoat() {
+        boatThatWaitsForItsPosition();
+
+        askFor("SendProxyAbortFutureMissions", "c");
+
+        assertThat(signals()).containsExactly(tuple(5L, 0L, List.of("c")));
+        assertFailedAndStays("c");
+    }
+
+    @Test
+    void abortOfAllMissionsWithdrawsAQuestionAndFailsWhatItIsAbout() {
+        world.addBoat("c", 20, 0);
+        world.run(1);
+        world.happens(engine, north("c", new GeoPath(List.of(Geodesy.offset(TestWorld.HOME, 0, 6_000)))));
+        assertThat(engine.inputs).anyMatch(Input.AskOperator.class::isInstance);
+
+        askFor("SendProxyAbortAllMissions", "c");
+
+        assertThat(engine.inputs).contains(new Input.WithdrawQuestion("DoubtfulWay", "m5-a5"));
+        assertFailedAndStays("c");
     }
 }

@@ -25,6 +25,7 @@ import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.MissionStatus;
+import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
@@ -209,5 +210,29 @@ class ComputationsTest {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    @Test
+    void abortByAnotherMissionFailsWhatIsStillComputedForItsBoat() {
+        CountDownLatch release = new CountDownLatch(1);
+        world(coveringAfter(release), ServiceThreads.STANDARD_LIMIT_MILLIS);
+        exploring();
+
+        world.happens(
+                engine,
+                new TestActivations("SendProxyAbortAllMissions")
+                        .id(9)
+                        .mission(2)
+                        .of("east")
+                        .effect());
+        release.countDown();
+        while (!isCommanded("west")) {
+            world.run(0.1);
+        }
+
+        assertThat(isCommanded("east")).isFalse();
+        assertThat(engine.received("ProxyPathFailed"))
+                .extracting(Occurrence::proxies)
+                .containsExactly(List.of("east"));
     }
 }

@@ -249,6 +249,20 @@ class MovesAfterResumeTest {
     }
 
     @Test
+    void aCommandThatIsUnderWayIsNotCheckedWhereOthersOfItsActivationAreOrderedAgain() {
+        world.run(1);
+        asks(path(FAR));
+        answer(true);
+        engine.step(0, new Input.Remember(1, "way/DoubtfulWay/7/a", new TextValue("nothing")), any -> {});
+
+        world.host.redeliver(7);
+        world.run(1);
+
+        assertThat(asked()).hasSize(1);
+        assertThat(commands().current()).isPresent();
+    }
+
+    @Test
     void whatAnEmergencyAbortOfAnotherMissionEndedIsNotSent() {
         stands(2, "here");
         world.run(1);

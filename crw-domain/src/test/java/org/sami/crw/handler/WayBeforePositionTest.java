@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
@@ -14,7 +15,10 @@ import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.TaskId;
 
 /** Boats that are sent somewhere before they have said where they are. */
 class WayBeforePositionTest {
@@ -141,5 +145,49 @@ class WayBeforePositionTest {
     private Effect answer(boolean yes) {
         Input.AskOperator last = asked().get(asked().size() - 1);
         return new Effect.QuestionAnswered(last.kind(), last.about(), yes);
+    }
+
+    private static final TaskId TASK = new TaskId(1, "t1");
+
+    private void sendByTask(GeoPoint to) {
+        engine.tasks.put(TASK, Map.of());
+        world.happens(
+                engine,
+                new TestActivations("ProxyGotoLatLon")
+                        .task("t1", "a", "location", to)
+                        .effect());
+    }
+
+    private void moveTaskToB() {
+        world.happens(
+                engine, new Effect.TasksAllocated(Map.of(TASK, Optional.of("b")), Map.of(TASK, "a"), Priority.MEDIUM));
+    }
+
+    @Test
+    void moveForATaskThatAnotherBoatHasNowIsNotSent() {
+        sendByTask(NEAR.points().get(0));
+        moveTaskToB();
+
+        world.run(10);
+
+        assertThat(hasCommand("a")).isFalse();
+        assertThat(world.hull("a").isAtRest()).isTrue();
+        assertThat(boat("a").explain().cause()).isNotEqualTo(BoatExplanation.Cause.NO_POSITION);
+        assertThat(engine.received("ProxyPathFailed")).isEmpty();
+    }
+
+    @Test
+    void questionAboutATaskThatAnotherBoatHasNowIsWithdrawn() {
+        world.run(1);
+        sendByTask(FAR.points().get(0));
+        assertThat(asked()).hasSize(1);
+
+        moveTaskToB();
+
+        assertThat(engine.inputs).contains(new Input.WithdrawQuestion(QUESTION, "m1-a7"));
+        world.happens(engine, answer(true));
+        world.run(1);
+        assertThat(hasCommand("a")).isFalse();
+        assertThat(engine.received("ProxyPathFailed")).isEmpty();
     }
 }

@@ -70,6 +70,15 @@ public record Addressee(String boat, boolean byProxy, List<TaskId> tasks) {
                 .orElse(false));
     }
 
+    /** The same without tasks of these names; empty where only they entered. */
+    public Optional<Addressee> without(List<TaskId> names) {
+        List<TaskId> left = new ArrayList<>(tasks);
+        if (byProxy || !left.removeAll(names)) {
+            return Optional.of(this);
+        }
+        return left.isEmpty() ? Optional.empty() : Optional.of(new Addressee(boat, false, left));
+    }
+
     private Addressee and(Addressee other) {
         List<TaskId> all = new ArrayList<>(tasks);
         other.tasks.stream().filter(task -> !all.contains(task)).forEach(all::add);

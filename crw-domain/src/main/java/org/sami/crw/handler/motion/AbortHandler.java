@@ -20,12 +20,12 @@ import org.sami.spn.protocol.Occurrence;
 public final class AbortHandler implements ActivationHandler {
     private final AbortScope scope;
     private final ProxyRegistry boats;
-    private final MotionCommands motion;
+    private final Aborts aborts;
 
-    public AbortHandler(AbortScope scope, ProxyRegistry boats, MotionCommands motion) {
+    public AbortHandler(AbortScope scope, ProxyRegistry boats, Aborts aborts) {
         this.scope = scope;
         this.boats = boats;
-        this.motion = motion;
+        this.aborts = aborts;
     }
 
     @Override
@@ -34,7 +34,7 @@ public final class AbortHandler implements ActivationHandler {
         List<Runnable> withdrawals = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {
             String boat = addressee.boat();
-            for (long mission : scope.missions(boat, boats.find(boat), activation, context)) {
+            for (long mission : scope.missions(boat, boats.find(boat), aborts.waiting(boat), activation, context)) {
                 boolean own = mission == activation.mission();
                 signals.add(new Input.Received(
                         own
@@ -48,8 +48,8 @@ public final class AbortHandler implements ActivationHandler {
                                         Map.of())));
                 withdrawals.add(
                         own
-                                ? () -> motion.withdraw(mission, List.of(boat))
-                                : () -> motion.abort(
+                                ? () -> aborts.withdraw(mission, boat)
+                                : () -> aborts.abort(
                                         mission,
                                         boat,
                                         "mission " + activation.mission() + " made " + boat + " abort it"));

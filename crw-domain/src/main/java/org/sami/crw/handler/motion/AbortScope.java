@@ -15,9 +15,9 @@ import org.sami.spn.protocol.Token;
 public enum AbortScope {
     /** Send Abort Mission: the one that asks. */
     THIS("SendAbortMission"),
-    /** Send Proxy Abort All Missions: every one that has a command for the boat, or in which it stands. */
+    /** Send Proxy Abort All Missions: every one that has a command for the boat, or is to have one, or in which it stands. */
     ALL("SendProxyAbortAllMissions"),
-    /** Send Proxy Abort Future Missions: every one whose commands wait in the boat's queue, but for the one it carries out. */
+    /** Send Proxy Abort Future Missions: every one whose commands wait in the boat's queue, or for it, but for the one it carries out. */
     FUTURE("SendProxyAbortFutureMissions");
 
     private final String type;
@@ -30,8 +30,13 @@ public enum AbortScope {
         return type;
     }
 
-    /** The missions that a boat aborts, each once. */
-    Set<Long> missions(String boat, Optional<BoatProxy> proxy, Activation activation, HandlerContext context) {
+    /**
+     * The missions that a boat aborts, each once.
+     *
+     * @param waiting those that have something for the boat that is not in its queue yet
+     */
+    Set<Long> missions(
+            String boat, Optional<BoatProxy> proxy, Set<Long> waiting, Activation activation, HandlerContext context) {
         Set<Long> missions = new LinkedHashSet<>();
         if (this == THIS) {
             missions.add(activation.mission());
@@ -40,6 +45,7 @@ public enum AbortScope {
         Optional<ProxyCommands> commands = proxy.map(BoatProxy::commands);
         Optional<Long> current = commands.flatMap(ProxyCommands::current).map(BoatCommand::mission);
         commands.map(ProxyCommands::waiting).orElse(List.of()).forEach(command -> missions.add(command.mission()));
+        missions.addAll(waiting);
         if (this == FUTURE) {
             current.ifPresent(missions::remove);
         } else {

@@ -2,7 +2,6 @@ package org.sami.crw.handler.motion;
 
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -44,10 +43,12 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     private final ClearWays clearWays;
     private final Map<String, SentCommand> sent = new LinkedHashMap<>();
     private final Map<String, List<SentCommand>> again = new LinkedHashMap<>(); // by command, who had it sent once more
-    private final Map<Long, Set<String>> takenBack = new HashMap<>();
+    private final Map<Long, Map<String, Optional<String>>> takenBack =
+            new HashMap<>(); // by activation and boat: why, where the plan is told
     private final LeftPaths left;
     private final MovesAwaitingPosition awaitingPosition;
     private final UnaskedMoves unasked;
+    private final HeldMoves held;
 
     public MotionCommands(ProxyRegistry boats, MessageSink messages, WayQuestions questions, ClearWays clearWays) {
         this.clearWays = clearWays;
@@ -57,6 +58,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         left = new LeftPaths(boats);
         awaitingPosition = new MovesAwaitingPosition(boats);
         unasked = new UnaskedMoves(clearWays, questions, clearWays.errors());
+        held = new HeldMoves(questions, awaitingPosition);
     }
 
     /** What boats have left of their paths. */
@@ -69,32 +71,48 @@ public final class MotionCommands implements Consumer<FleetEvent> {
      * for the operator's answer.
      */
     public void send(Activation activation, HandlerContext context, List<Move> moves) {
-        Set<String> without = takenBack.getOrDefault(activation.id(), Set.of());
-        takenBack.remove(activation.id());
-        List<Move> wanted = moves.stream()
-                .filter(move -> !without.contains(move.addressee().boat()))
-                .toList();
+        List<Move> wanted = wanted(activation, context, moves);
         List<Move> unknown = context.redelivered() ? goOn(activation, context, wanted) : wanted;
         check(activation, context, awaitingPosition.hold(activation, context, unknown));
     }
 
+    /** The moves but for those that were taken back in advance. */
+    private List<Move> wanted(Activation activation, HandlerContext context, List<Move> moves) {
+        Map<String, Optional<String>> without =
+                Optional.ofNullable(takenBack.remove(activation.id())).orElse(Map.of());
+        List<Move> wanted = new ArrayList<>();
+        for (Move move : moves) {
+            Optional<String> why = without.getOrDefault(move.addressee().boat(), Optional.empty());
+            if (!without.containsKey(move.addressee().boat())) {
+                wanted.add(move);
+            } else if (why.isPresent()) {
+                refuse(activation, context, move, why.get());
+            } else {
+                end(new SentCommand(activation, context, move));
+            }
+        }
+        return wanted;
+    }
+
     /**
      * Goes on with what is known of moves that are delivered again. After a restart, what is over is not sent again, and what was sent, of which the boat may be
-     * on its way, goes on without another check. What the operator refused is refused. Returns the others.
+     * on its way, goes on without another check. What the operator refused is refused. Nothing becomes of what the boat has, or is kept back. Returns the others.
      */
     private List<Move> goOn(Activation activation, HandlerContext context, List<Move> moves) {
         WayAnswers answers = new WayAnswers(activation, context);
         List<Move> sentBefore = new ArrayList<>();
         List<Move> unknown = new ArrayList<>();
-        for (Move move : moves) {
+        for (Move move : moves.stream().filter(move -> !isPresent(move)).toList()) {
             Optional<CommandMemory> known = move.remembered(activation, context);
             if (context.orderedAgain() && known.filter(CommandMemory::isOver).isPresent()) {
                 context.post(move.remember(CommandMemory.ORDERED_AGAIN, activation, context));
             }
-            if (!context.orderedAgain() && known.filter(was -> was == CommandMemory.SENT).isPresent()) {
+            if (!context.orderedAgain()
+                    && known.filter(was -> was == CommandMemory.SENT).isPresent()) {
                 sentBefore.add(move);
             } else if (move.isOver(activation, context)) {
-                known.filter(was -> was == CommandMemory.COMPLETED && move.command().block())
+                known.filter(was ->
+                                was == CommandMemory.COMPLETED && move.command().block())
                         .ifPresent(kept -> sentBefore.add(move.done()));
             } else if (answers.refuse(move.addressee().boat())) {
                 refuse(activation, context, move, WayQuestions.REJECTED_WAY);
@@ -107,6 +125,14 @@ public final class MotionCommands implements Consumer<FleetEvent> {
             sendNow(activation, context, clearWays.limit(activation, context, sentBefore));
         }
         return unknown;
+    }
+
+    private boolean isPresent(Move move) {
+        String commandId = move.command().commandId();
+        return held.has(commandId)
+                || boats.find(move.addressee().boat())
+                        .flatMap(boat -> boat.commands().visitedCount(commandId))
+                        .isPresent();
     }
 
     private void refuse(Activation activation, HandlerContext context, Move move, String reason) {
@@ -220,12 +246,21 @@ public final class MotionCommands implements Consumer<FleetEvent> {
 
     /** Takes back for boats what an activation is about to ask: the step that asked went on to withdraw it. */
     public void takeBack(long activation, List<String> named) {
-        takenBack.computeIfAbsent(activation, id -> new HashSet<>()).addAll(named);
+        named.forEach(boat -> takeBack(activation).putIfAbsent(boat, Optional.empty()));
+    }
+
+    /** The same at another mission's request: the plan receives the failure in place of the command. */
+    void takeBack(long activation, List<String> named, String reason) {
+        named.forEach(boat -> takeBack(activation).putIfAbsent(boat, Optional.of(reason)));
+    }
+
+    private Map<String, Optional<String>> takeBack(long activation) {
+        return takenBack.computeIfAbsent(activation, id -> new HashMap<>());
     }
 
     /** Whether what an activation is about to ask of a boat has been taken back in advance. */
     public boolean isTakenBack(long activation, String boat) {
-        return takenBack.getOrDefault(activation, Set.of()).contains(boat);
+        return takenBack.getOrDefault(activation, Map.of()).containsKey(boat);
     }
 
     /** A newer command of the same mission takes the place of one that was not sent yet: whoever still waits for it is answered. */
@@ -243,8 +278,8 @@ public final class MotionCommands implements Consumer<FleetEvent> {
 
     /** Takes back what a mission has for boats; no boats named = for all. */
     public void withdraw(long mission, List<String> named) {
-        questions.withdraw(mission, named);
-        awaitingPosition.withdraw(mission, named);
+        held.take(one -> one.mission() == mission && (named.isEmpty() || named.contains(one.boat())))
+                .forEach(one -> end(new SentCommand(one.activation(), one.context(), one.move())));
         again.values()
                 .forEach(all -> all.removeIf(
                         one -> one.mission() == mission && (named.isEmpty() || named.contains(one.boat()))));
@@ -260,10 +295,11 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     }
 
     /**
-     * A boat is no longer responsible for a task, under any of its names: commands for that task alone are withdrawn, and commands for other tasks
-     * too are answered without it.
+     * A boat is no longer responsible for a task, under any of its names: commands for that task alone are withdrawn, also those that are kept back, and commands
+     * for other tasks too are answered without it.
      */
     public void release(String boat, List<TaskId> names) {
+        held.release(boat, names).forEach(one -> end(new SentCommand(one.activation(), one.context(), one.move())));
         for (Map.Entry<String, SentCommand> one : List.copyOf(sent.entrySet())) {
             if (one.getValue().boat().equals(boat) && one.getValue().release(names)) {
                 end(sent.remove(one.getKey()));
@@ -274,13 +310,23 @@ public final class MotionCommands implements Consumer<FleetEvent> {
 
     /** Withdraws a mission's commands from a boat at another mission's request; a transition that waits receives the failure. */
     void abort(long mission, String boat, String reason) {
-        questions.withdraw(mission, List.of(boat));
-        awaitingPosition.withdraw(mission, List.of(boat));
+        abortHeld(mission, boat, reason);
         boats.find(boat)
                 .ifPresent(proxy -> proxy.commands().withdraw(mission).forEach(command -> {
                     left.takenFrom(boat, command, visited(sent.get(command.commandId())));
                     onFailed(command, reason);
                 }));
+    }
+
+    /** The missions that have moves for a boat which are kept back. */
+    Set<Long> held(String boat) {
+        return held.missions(boat);
+    }
+
+    /** Takes a mission's moves of a boat that are kept back; each is answered as failed. */
+    void abortHeld(long mission, String boat, String reason) {
+        held.take(one -> one.mission() == mission && one.boat().equals(boat))
+                .forEach(one -> refuse(one.activation(), one.context(), one.move(), reason));
     }
 
     /** What was taken from a boat is not sent again after a restart. */

@@ -3,6 +3,8 @@ package org.sami.crw.handler.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -54,14 +56,19 @@ final class MovesAwaitingPosition {
         return released;
     }
 
-    /** Takes back what a mission wants of boats; no boats named = of all. */
-    void withdraw(long mission, List<String> named) {
-        List<HeldMove> withdrawn = waiting.stream()
-                .filter(one -> one.activation().mission() == mission)
-                .filter(one -> named.isEmpty() || named.contains(one.boat()))
-                .toList();
-        waiting.removeAll(withdrawn);
-        tellBoats(withdrawn);
+    /** The moves that wait. */
+    Stream<HeldMove> moves() {
+        return waiting.stream();
+    }
+
+    /** Replaces each move by what is left of it; returns those of which nothing is. */
+    List<HeldMove> reduce(Function<HeldMove, Optional<HeldMove>> left) {
+        List<HeldMove> taken =
+                waiting.stream().filter(one -> left.apply(one).isEmpty()).toList();
+        waiting.removeAll(taken);
+        waiting.replaceAll(one -> left.apply(one).orElse(one));
+        tellBoats(taken);
+        return taken;
     }
 
     private void tellBoats(List<HeldMove> gone) {

@@ -1,6 +1,5 @@
 package org.sami.crw.handler.motion;
 
-import java.util.List;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -10,16 +9,16 @@ import org.sami.spn.protocol.Activation;
 public final class ProxyAbortMissionHandler implements ActivationHandler {
     public static final String TYPE = "ProxyAbortMission";
 
-    private final MotionCommands motion;
+    private final Aborts aborts;
 
-    public ProxyAbortMissionHandler(MotionCommands motion) {
-        this.motion = motion;
+    public ProxyAbortMissionHandler(Aborts aborts) {
+        this.aborts = aborts;
     }
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
         for (Addressee addressee : Addressee.of(activation, context)) {
-            motion.withdraw(activation.mission(), List.of(addressee.boat()));
+            aborts.withdraw(activation.mission(), addressee.boat());
         }
     }
 }

@@ -68,11 +68,8 @@ final class SentCommand {
 
     /** The boat has these tasks no longer; says whether the command was for them alone. */
     boolean release(List<TaskId> names) {
-        List<TaskId> left = new ArrayList<>(addressee.tasks());
-        if (addressee.byProxy() || !left.removeAll(names)) {
-            return false;
-        }
-        addressee = new Addressee(addressee.boat(), false, left);
+        Optional<Addressee> left = addressee.without(names);
+        left.ifPresent(one -> addressee = one);
         return left.isEmpty();
     }
 
@@ -102,8 +99,7 @@ final class SentCommand {
 
     List<Input> failed(String reason) {
         List<Input> inputs = new ArrayList<>(ended());
-        reply.failedEvent()
-                .ifPresent(event -> inputs.addAll(answer(event, Map.of("reason", new TextValue(reason)))));
+        reply.failedEvent().ifPresent(event -> inputs.addAll(answer(event, Map.of("reason", new TextValue(reason)))));
         return inputs;
     }
 

@@ -2,8 +2,11 @@ package org.sami.crw.handler.motion;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.ListIterator;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.sami.crw.decision.AskedActivation;
 import org.sami.crw.decision.DomainQuestion;
 import org.sami.crw.service.reach.WayDoubt;
@@ -90,12 +93,25 @@ record WayQuestion(
                 activation, context, one.move(), reason + ": " + one.doubt().words()));
     }
 
-    /** Takes boats back where it is this mission's question; no boats named = all. Returns whether it is about nobody any longer. */
-    boolean withdraw(long mission, List<String> named) {
-        if (activation.mission() != mission) {
-            return false;
+    /** The moves that wait. */
+    Stream<HeldMove> moves() {
+        return doubted.stream().map(one -> new HeldMove(activation, context, one.move()));
+    }
+
+    /** Replaces each move by what is left of it; returns those of which nothing is. */
+    List<HeldMove> reduce(Function<HeldMove, Optional<HeldMove>> left) {
+        List<HeldMove> taken = new ArrayList<>();
+        for (ListIterator<Doubted> all = doubted.listIterator(); all.hasNext(); ) {
+            Doubted one = all.next();
+            HeldMove whole = new HeldMove(activation, context, one.move());
+            Optional<HeldMove> rest = left.apply(whole);
+            if (rest.isPresent()) {
+                all.set(new Doubted(rest.get().move(), one.doubt()));
+            } else {
+                taken.add(whole);
+                all.remove();
+            }
         }
-        doubted.removeIf(one -> named.isEmpty() || named.contains(one.boat()));
-        return doubted.isEmpty();
+        return taken;
     }
 }

@@ -9,7 +9,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
+import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.sami.crw.decision.DomainQuestion;
 import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.fleet.FleetEvent;
@@ -237,18 +239,27 @@ public final class WayQuestions implements HostListener {
         returns.excuse(boat, one.activation().mission(), one.context());
     }
 
-    /** Takes back what a mission wants of boats; no boats named = of all. A question that is about nobody any longer is withdrawn. */
-    void withdraw(long mission, List<String> named) {
-        next.removeIf(one -> one.withdraw(mission, named));
+    /** The moves that wait for an answer. */
+    Stream<HeldMove> moves() {
+        return Stream.concat(held.values().stream(), next.stream()).flatMap(WayQuestion::moves);
+    }
+
+    /** Replaces each move that waits by what is left of it; returns those of which nothing is. A question that is about nobody any longer is withdrawn. */
+    List<HeldMove> reduce(Function<HeldMove, Optional<HeldMove>> left) {
+        List<HeldMove> taken = new ArrayList<>();
+        next.forEach(one -> taken.addAll(one.reduce(left)));
+        next.removeIf(one -> one.doubted().isEmpty());
         Set<String> over = new HashSet<>();
         held.forEach((key, one) -> {
-            if (one.withdraw(mission, named)) {
+            taken.addAll(one.reduce(left));
+            if (one.doubted().isEmpty()) {
                 over.add(key);
                 one.context().post(new Input.WithdrawQuestion(one.kind().kind(), one.about()));
             }
         });
         held.keySet().removeAll(over);
         over.forEach(this::askNext);
+        return taken;
     }
 
     @Override

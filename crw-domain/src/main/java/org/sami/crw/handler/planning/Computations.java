@@ -17,6 +17,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.handler.activation.ActivationMessages;
+import org.sami.crw.handler.motion.ComputedMoves;
 import org.sami.crw.message.MessageSink;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
@@ -34,7 +35,7 @@ import org.sami.spn.protocol.Priority;
  *
  * <p>Computations begin, and what follows them happens, on the fleet's thread.
  */
-public final class Computations implements HostListener {
+public final class Computations implements HostListener, ComputedMoves {
     private final Executor fleet;
     private final MessageSink messages;
     private final Optional<ServiceThreads> threads;
@@ -146,6 +147,15 @@ public final class Computations implements HostListener {
         return running.values().stream().map(one -> one.activation.mission()).collect(Collectors.toSet());
     }
 
+    @Override
+    public Set<Long> missions(String boat) {
+        return running.values().stream()
+                .filter(one ->
+                        one.task.commandsBoats() && one.activation.proxies().contains(boat))
+                .map(one -> one.activation.mission())
+                .collect(Collectors.toSet());
+    }
+
     /** Gives up all that is being computed: nobody waits for it any longer. */
     public void close() {
         running.values().forEach(Running::giveUp);
@@ -227,11 +237,7 @@ public final class Computations implements HostListener {
                 one.activation.proxies()));
     }
 
-    /**
-     * Takes back what a mission's computations will have boats do; no boats named = all. For the fleet's thread.
-     *
-     * @param takeBack is given each activation whose commands are not to be sent, with the boats for which they are not
-     */
+    @Override
     public void withdraw(long mission, List<String> named, BiConsumer<Long, List<String>> takeBack) {
         for (Running one : running.values()) {
             if (one.activation.mission() == mission && one.task.commandsBoats()) {

@@ -137,6 +137,39 @@ class SessionResumeTest {
         Await.until("anna has its path", () -> commands(again, "anna") == 1);
     }
 
+    @Test
+    void commandThatFailedIsSentUnderTheNextBaseOnlyWhenTheOperatorSendsItAgain() throws Exception {
+        BoatOnTcp anna = world.boat("anna");
+        Path journal = folder.resolve("failed.journal");
+        Session session = world.opened(TestSession.project(FAR.replace("45.46", "45.404")), journal);
+        session.begin();
+        TestSession.get(session.fleet().connect(TestSession.address(anna)));
+        TestSession.until("anna has joined", session, view -> view.proxies().contains("anna"));
+        awaitPosition(session, "anna", at -> true);
+        long mission = TestSession.get(session.start("far", "far", Map.of()));
+        Await.until("anna has its path", () -> commands(session, "anna") == 1);
+        String command = TestSession.get(session.fleet()
+                .ask(boats -> boats.find("anna")
+                        .orElseThrow()
+                        .commands()
+                        .current()
+                        .orElseThrow()
+                        .commandId()));
+        TestSession.get(session.fleet().cancel("anna", command));
+        Await.until("it is stuck", () -> snapshot(session, mission).stuck().isPresent());
+        session.close();
+
+        Session again = world.resumed(journal);
+        again.earlierBoats().reconnect();
+        again.begin();
+        awaitPosition(again, "anna", at -> true);
+        Await.until("it is stuck still", () -> snapshot(again, mission).stuck().isPresent());
+
+        assertThat(commands(again, "anna")).isZero();
+        TestSession.get(again.sendAgain(mission));
+        Await.until("anna has its path again", () -> commands(again, "anna") == 1);
+    }
+
     private static int commands(Session session, String boat) {
         return TestSession.get(session.fleet().ask(boats -> {
             ProxyCommands commands = boats.find(boat).orElseThrow().commands();
