@@ -10,14 +10,17 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.ListValue;
 import org.sami.spn.value.TaskId;
 
 /** Boats that are sent somewhere before they have said where they are. */
@@ -189,5 +192,34 @@ class WayBeforePositionTest {
         world.run(1);
         assertThat(hasCommand("a")).isFalse();
         assertThat(engine.received("ProxyPathFailed")).isEmpty();
+    }
+
+    @Test
+    void moveThatCannotBeCheckedFailsByItself() {
+        GeoArea crossing =
+                new GeoArea(List.of(offset(50, 50), offset(80, 80), offset(80, 50), offset(50, 80)), List.of());
+        world.happens(
+                engine,
+                path().with("avoid", new ListValue(List.of(crossing))).effect(),
+                path().id(8).mission(2).effect());
+
+        world.run(2);
+
+        assertThat(engine.inputs)
+                .filteredOn(Input.HandlerFailed.class::isInstance)
+                .singleElement()
+                .extracting(failed -> ((Input.HandlerFailed) failed).activation())
+                .isEqualTo(7L);
+        assertThat(boat("a").commands().current().map(BoatCommand::activation)).contains(8L);
+    }
+
+    private static TestActivations path() {
+        return new TestActivations("ProxyExecutePath")
+                .with("paths", ProxyMaps.toValue(Map.of("a", NEAR)))
+                .of("a");
+    }
+
+    private static GeoPoint offset(double eastM, double northM) {
+        return Geodesy.offset(TestWorld.HOME, eastM, northM);
     }
 }

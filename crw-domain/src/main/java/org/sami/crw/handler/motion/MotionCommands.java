@@ -343,7 +343,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     @Override
     public void accept(FleetEvent event) {
         questions.accept(event);
-        awaitingPosition.released(event).forEach(one -> check(one.activation(), one.context(), List.of(one.move())));
+        awaitingPosition.released(event).forEach(this::checkAlone);
         if (event instanceof FleetEvent.Progressed progressed) {
             onProgress(progressed.command(), progressed.visited());
         } else if (event instanceof FleetEvent.PanoramaTaken panorama) {
@@ -354,6 +354,15 @@ public final class MotionCommands implements Consumer<FleetEvent> {
             onFailed(failed.command(), failed.reason());
         } else if (event instanceof FleetEvent.CommandWithdrawn withdrawn) {
             onWithdrawn(withdrawn.command(), withdrawn.why());
+        }
+    }
+
+    /** What goes wrong with a move that waited concerns its activation, and nothing that waited beside it. */
+    private void checkAlone(HeldMove one) {
+        try {
+            check(one.activation(), one.context(), List.of(one.move()));
+        } catch (RuntimeException fault) {
+            one.context().post(new Input.HandlerFailed(one.activation().id(), String.valueOf(fault.getMessage())));
         }
     }
 
