@@ -156,7 +156,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         }
         UnaskedMoves.Judged judged = unasked.judge(activation, context, move, from.get());
         if (judged.refusal().isEmpty()) {
-            submit(activation, context, List.of(judged.move()));
+            submit(activation, context, List.of(judged.move()), false);
         }
         return judged.refusal();
     }
@@ -178,17 +178,23 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     }
 
     private void sendNow(Activation activation, HandlerContext context, List<Move> moves) {
-        submit(activation, context, moves);
+        submit(activation, context, moves, true);
         SpeedChoice.words(activation)
                 .filter(words -> !moves.isEmpty())
                 .ifPresent(words -> tell(activation, context, words));
     }
 
-    /** What is settled at once is answered in one batch. */
-    private void submit(Activation activation, HandlerContext context, List<Move> moves) {
+    /**
+     * What is settled at once is answered in one batch.
+     *
+     * @param remembered whether the mission remembers each command across restarts: not one that takes another's place within seconds
+     */
+    private void submit(Activation activation, HandlerContext context, List<Move> moves, boolean remembered) {
         List<Input> settled = new ArrayList<>();
         for (Move move : moves) {
-            SentCommand one = new SentCommand(activation, context, move);
+            SentCommand one = remembered
+                    ? new SentCommand(activation, context, move)
+                    : new SentCommand(activation, context, move.addressee(), move.reply());
             Optional<BoatProxy> boat = boats.find(move.addressee().boat());
             if (move.command() instanceof FollowPath path && path.nothingIsLeft() && !path.block()) {
                 settled.addAll(one.completed());
@@ -198,7 +204,9 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                 settled.addAll(failed(
                         one, BoatMoves.refusal(activation.type(), boat.get()).orElseThrow()));
             } else {
-                settled.addAll(move.remember(CommandMemory.SENT, activation, context));
+                if (remembered) {
+                    settled.addAll(move.remember(CommandMemory.SENT, activation, context));
+                }
                 sent.put(move.command().commandId(), one);
                 boat.get().commands().submit(SpeedChoice.of(activation, move.command(), boat.get()));
             }
