@@ -273,6 +273,7 @@ public final class OperatorModels implements HostListener, MessageSink {
 
     /** Shows what a restored state has: missions, decisions that wait, tasks. On the engine's thread or before the host works. */
     public void restore(EngineView view, long atMillis) {
+        stuck.restore(view, atMillis);
         engine.restore(view, atMillis);
     }
 

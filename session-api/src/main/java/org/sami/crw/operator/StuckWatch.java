@@ -37,6 +37,11 @@ public final class StuckWatch {
         this.models = models;
     }
 
+    /** Takes up what had failed before the base was restarted. */
+    void restore(EngineView view, long atMillis) {
+        failed.restore(view, atMillis);
+    }
+
     /** Follows a step. */
     void take(long atMillis, Input input, List<Effect> effects) {
         failed.take(atMillis, input, effects);

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.sami.crw.handler.boat.SentLists;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.TextValue;
@@ -24,6 +25,7 @@ enum CommandMemory {
     ORDERED_AGAIN("ordered again");
 
     private static final String KEY = "command/";
+    private static final String REASON = ": "; // after the word
 
     private final String word;
 
@@ -40,8 +42,23 @@ enum CommandMemory {
 
     private static Optional<CommandMemory> read(Value remembered) {
         return Arrays.stream(values())
-                .filter(one -> remembered.equals(new TextValue(one.word)))
+                .filter(one -> remembered instanceof TextValue text
+                        && (text.value().equals(one.word) || text.value().startsWith(one.word + REASON)))
                 .findFirst();
+    }
+
+    /** Why a command failed, as its plan was told; empty where it did not fail. */
+    static Optional<String> failure(long mission, String commandId, EngineView view) {
+        return view.memory(mission, KEY + commandId)
+                .filter(TextValue.class::isInstance)
+                .map(remembered -> ((TextValue) remembered).value())
+                .filter(text -> text.startsWith(ENDED.word + REASON))
+                .map(text -> text.substring((ENDED.word + REASON).length()));
+    }
+
+    /** Has the mission remember that a command failed, and why. */
+    static List<Input> failed(long mission, String commandId, String reason, HandlerContext context) {
+        return remember(mission, commandId, ENDED.word + REASON + reason, context);
     }
 
     /** Whether the command has had its result. */
@@ -51,8 +68,12 @@ enum CommandMemory {
 
     /** Has the mission remember this of a command; nothing where the mission is over, as nothing is delivered again then. */
     List<Input> of(long mission, String commandId, HandlerContext context) {
+        return remember(mission, commandId, word, context);
+    }
+
+    private static List<Input> remember(long mission, String commandId, String text, HandlerContext context) {
         return context.query(view -> view.mission(mission).isPresent())
-                ? List.of(new Input.Remember(mission, KEY + commandId, new TextValue(word)))
+                ? List.of(new Input.Remember(mission, KEY + commandId, new TextValue(text)))
                 : List.of();
     }
 }

@@ -7,6 +7,7 @@ import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.reach.WayDoubt;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
@@ -73,7 +74,19 @@ public record Move(
 
     /** The command's id: the same whenever the activation is delivered, and no other's. */
     public static String commandId(Activation activation, Addressee addressee) {
-        return "m" + activation.mission() + "-a" + activation.id() + "-" + addressee.boat();
+        return commandId(activation, addressee.boat());
+    }
+
+    private static String commandId(Activation activation, String boat) {
+        return "m" + activation.mission() + "-a" + activation.id() + "-" + boat;
+    }
+
+    /**
+     * Why the command that an activation gave to a boat failed, as the mission remembers it and its plan was told; empty where it did not fail, or was ordered
+     * again.
+     */
+    public static Optional<String> failure(Activation activation, String boat, EngineView view) {
+        return CommandMemory.failure(activation.mission(), commandId(activation, boat), view);
     }
 
     /**

@@ -98,7 +98,9 @@ final class SentCommand {
     }
 
     List<Input> failed(String reason) {
-        List<Input> inputs = new ArrayList<>(ended());
+        List<Input> inputs = new ArrayList<>(
+                move.map(one -> CommandMemory.failed(mission(), one.command().commandId(), reason, context))
+                        .orElse(List.of()));
         reply.failedEvent().ifPresent(event -> inputs.addAll(answer(event, Map.of("reason", new TextValue(reason)))));
         return inputs;
     }

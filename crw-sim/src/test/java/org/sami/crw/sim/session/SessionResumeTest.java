@@ -166,6 +166,8 @@ class SessionResumeTest {
         Await.until("it is stuck still", () -> snapshot(again, mission).stuck().isPresent());
 
         assertThat(commands(again, "anna")).isZero();
+        assertThat(snapshot(again, mission).stuck().orElseThrow().what())
+                .isEqualTo("anna cannot go on in 'Go there': the operator cancelled it");
         TestSession.get(again.sendAgain(mission));
         Await.until("anna has its path again", () -> commands(again, "anna") == 1);
     }

@@ -5,6 +5,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import org.sami.crw.handler.activation.EventNames;
+import org.sami.crw.handler.motion.Move;
+import org.sami.spn.engine.EngineView;
+import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
@@ -28,6 +31,15 @@ public final class FailedAnswers {
         public Failure {
             Objects.requireNonNull(boat, "boat");
             Objects.requireNonNull(reason, "reason");
+        }
+    }
+
+    /** Takes up which commands of boats failed before the base was restarted, as their missions remember it. */
+    public void restore(EngineView view, long atMillis) {
+        for (Activation open : view.openActivations()) {
+            for (String boat : open.proxies()) {
+                Move.failure(open, boat, view).ifPresent(reason -> put(open.id(), new Failure(boat, reason, atMillis)));
+            }
         }
     }
 
