@@ -316,8 +316,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
         String text = refusal.isEmpty() ? whyNot().orElseGet(() -> giving.first(judged)) : refusal;
         bar.tell(
                 text,
-                !refused.isEmpty()
-                        || judged.refusal().filter(text::equals).isPresent());
+                !refused.isEmpty() || judged.refusal().filter(text::equals).isPresent());
     }
 
     private void attend() {

@@ -156,20 +156,22 @@ class DecisionsPanelTest {
             world.press("decision-later");
             assertThat(world.text("decision-asker")).startsWith("second");
 
-            world.until("it is answered, and the next is worked on", () -> onEventThread(() -> {
-                world.panel.answer();
-                boolean underWay = world.panel
-                        .whyNot()
-                        .filter("an answer is under way"::equals)
-                        .isPresent();
-                world.panel.browse(underWay ? 1 : -1);
-                if (underWay) {
-                    world.panel.choose(0);
-                } else {
-                    world.panel.browse(1); // that press is forgotten: it waited for a judgement
-                }
-                return underWay;
-            }));
+            world.until(
+                    "it is answered, and the next is worked on",
+                    () -> onEventThread(() -> {
+                        world.panel.answer();
+                        boolean underWay = world.panel
+                                .whyNot()
+                                .filter("an answer is under way"::equals)
+                                .isPresent();
+                        world.panel.browse(underWay ? 1 : -1);
+                        if (underWay) {
+                            world.panel.choose(0);
+                        } else {
+                            world.panel.browse(1); // that press is forgotten: it waited for a judgement
+                        }
+                        return underWay;
+                    }));
 
             world.until(
                     "the answer was taken",
