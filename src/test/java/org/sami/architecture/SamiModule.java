@@ -89,7 +89,7 @@ enum SamiModule {
     CRW_SERVICES("crw-services", 116, List.of("org.sami.crw.event..", "org.sami.crw.service.."), List.of(SPN_LANGUAGE)),
     CRW_DOMAIN(
             "crw-domain",
-            320,
+            340,
             List.of(
                     "org.sami.crw.area..",
                     "org.sami.crw.decision..",
@@ -104,7 +104,7 @@ enum SamiModule {
     /** The aircraft domain: its handlers, over the proxies of the base. */
     UAV_DOMAIN(
             "uav-domain",
-            26,
+            28,
             List.of("org.sami.uav.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** What a front may ask a session and see of it, wherever it runs: no session, no transport. */
