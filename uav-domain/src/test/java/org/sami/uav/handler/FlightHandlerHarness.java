@@ -136,6 +136,15 @@ final class FlightHandlerHarness implements HandlerContext {
         handle(handler, activation);
     }
 
+    /** The base starts anew: it knows of no command, and the mission's memory is as it was. */
+    void restart() {
+        Map<String, Value> kept = Map.copyOf(memory);
+        motion.withdraw(1, List.of());
+        memory.clear();
+        memory.putAll(kept);
+        isRedelivered = true;
+    }
+
     /** The last activation comes to a handler once more. */
     void activateAgain(ActivationHandler handler) {
         handle(handler, given.get(given.size() - 1));

@@ -289,8 +289,7 @@ class FlightHandlersTest {
                 .as("it is on its ring")
                 .isGreaterThan(10);
 
-        harness.isRedelivered = true;
-        harness.motion.withdraw(1, List.of()); // the base that goes on knows of no command
+        harness.restart();
         SearchAroundHandler again = new SearchAroundHandler(harness.flights, new Sightings());
         harness.listen(again);
         harness.activateAgain(again);
