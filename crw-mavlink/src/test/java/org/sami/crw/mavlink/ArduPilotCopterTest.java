@@ -41,10 +41,9 @@ class ArduPilotCopterTest {
     @Test
     void takesOffFliesAPathStopsInTheAirAndLandsUnderAnotherBase() throws Exception {
         assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
-        try (ArduPilotBoats copters = ArduPilotBoats.copters(NUMBER, 1, SPEED, work);
-                SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
-            LinkClient first = base();
-            try {
+        try (ArduPilotBoats copters = ArduPilotBoats.copters(NUMBER, 1, SPEED, work)) {
+            LinkClient first = base(); // the firmware opens its second port once somebody is at the first
+            try (SimulatorTruth truth = new SimulatorTruth(ArduPilotBoats.secondPort(NUMBER), NUMBER + 1)) {
                 Telemetry start = now(first);
                 assertThat(start.altM().orElseThrow()).isBetween(-GROUND_M, GROUND_M);
 
@@ -54,13 +53,13 @@ class ArduPilotCopterTest {
                 assertThat(first.ask(new StopMotors("stop"))).isInstanceOf(Ack.class);
                 Await.until("it keeps its place", FLIGHT_S, () -> now(first).mode() == BoatMode.HOLD);
                 assertThat(now(first).altM().orElseThrow()).isGreaterThan(15);
+                assertThat(first.isObserver()).isFalse();
                 first.close();
 
                 landUnderAnotherBase(start);
 
                 assertThat(truth.nearestM(out.get(1).latDeg(), out.get(1).lonDeg()))
                         .isLessThan(RADIUS_M);
-                assertThat(first.isObserver()).isFalse();
             } finally {
                 first.close();
             }
