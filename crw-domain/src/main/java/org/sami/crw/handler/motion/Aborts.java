@@ -36,17 +36,19 @@ public final class Aborts {
     /** The same at another mission's request; a transition that waits receives the failure. */
     void abort(long mission, String boat, String reason) {
         motion.abort(mission, boat, reason);
-        fail(mission, boat, reason);
+        failComputed(mission, boat, reason);
     }
 
     /** Stops a boat; all that any mission has for it fails. */
     void stop(String boat, String reason) {
-        waiting(boat).forEach(mission -> fail(mission, boat, reason));
+        waiting(boat).forEach(mission -> {
+            motion.abortHeld(mission, boat, reason);
+            failComputed(mission, boat, reason);
+        });
         boats.find(boat).ifPresent(known -> known.abort(reason));
     }
 
-    private void fail(long mission, String boat, String reason) {
-        motion.abortHeld(mission, boat, reason);
+    private void failComputed(long mission, String boat, String reason) {
         computed.withdraw(mission, List.of(boat), (activation, named) -> motion.takeBack(activation, named, reason));
     }
 }
