@@ -27,7 +27,7 @@ public record LinkEnd(int system, int component, int linkId, Optional<LinkSignin
     }
 
     /** Whether the other ends are vehicles, which send a heartbeat each second; ground stations and programs may send nothing for long. */
-    boolean hearsVehicles() {
+    boolean isOfBase() {
         return system == MavlinkLink.GROUND_SYSTEM;
     }
 

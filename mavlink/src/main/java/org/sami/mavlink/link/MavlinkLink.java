@@ -240,7 +240,7 @@ public final class MavlinkLink implements AutoCloseable {
         opened(new Connected(streams, in, codec));
         try {
             MavlinkPacket packet = in.next();
-            if (end.hearsVehicles()) {
+            if (end.isOfBase()) {
                 streams.failWhenSilent(silence);
             }
             while (true) {

@@ -37,7 +37,7 @@ final class ArrowKeys {
     private Optional<Window> own = Optional.empty();
 
     /**
-     * Keys that are not heard yet.
+     * Takes no keys yet.
      *
      * @param escape runs when Escape is pressed
      * @param keyboardLost runs when the window has lost the keyboard
@@ -47,8 +47,8 @@ final class ArrowKeys {
         this.keyboardLost = keyboardLost;
     }
 
-    /** Hears them from now on, in the window that has the keyboard; a text there no longer has the focus. */
-    void hear() {
+    /** Takes them from now on, in the window that has the keyboard; a text there no longer has the focus. */
+    void start() {
         held.clear();
         KeyboardFocusManager manager = KeyboardFocusManager.getCurrentKeyboardFocusManager();
         own = Optional.ofNullable(manager.getFocusedWindow());
@@ -64,8 +64,8 @@ final class ArrowKeys {
         }
     }
 
-    /** Hears none any longer. */
-    void ignore() {
+    /** Takes none any longer. */
+    void stop() {
         KeyboardFocusManager manager = KeyboardFocusManager.getCurrentKeyboardFocusManager();
         manager.removeKeyEventDispatcher(keys);
         manager.removePropertyChangeListener(FOCUSED_WINDOW, windows);

@@ -96,7 +96,7 @@ final class Teleoperation implements StickView.Driver {
         send();
     }
 
-    /** Gives the boat back, and hears nothing any longer: the window is closed. */
+    /** Gives the boat back, and listens to nothing any longer: the window is closed. */
     void close() {
         stops.close();
         giveBack();
@@ -113,7 +113,7 @@ final class Teleoperation implements StickView.Driver {
     private void begin(String which) {
         boat = Optional.of(which);
         stand();
-        keys.hear();
+        keys.start();
         send();
         timer.start();
         context.notices()
@@ -139,7 +139,7 @@ final class Teleoperation implements StickView.Driver {
 
     private void end() {
         timer.stop();
-        keys.ignore();
+        keys.stop();
         stand();
         boat = Optional.empty();
         command.refresh();
