@@ -108,7 +108,7 @@ final class DomainHandlers {
         byType.put(GotoPointHandler.BLOCKING_TYPE, new GotoPointHandler(motion, true));
         byType.put(GotoLatLonHandler.TYPE, new GotoLatLonHandler(motion));
         byType.put(GotoLocationListHandler.TYPE, new GotoLocationListHandler(motion));
-        byType.put(LeaveAreaHandler.TYPE, new LeaveAreaHandler(boats, motion, errors));
+        byType.put(LeaveAreaHandler.TYPE, new LeaveAreaHandler(motion, errors));
         byType.put(StationKeepHandler.TYPE, new StationKeepHandler(motion, near));
         byType.put(PanoramaHandler.TYPE, new PanoramaHandler(motion));
         byType.put(BlockMovementHandler.TYPE, new BlockMovementHandler(motion));

@@ -19,7 +19,9 @@ import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.BooleanValue;
+import org.sami.spn.value.GeoArea;
 import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.TextValue;
 
 /** What becomes of moves of boats under a base that goes on with a mission: the engine's memory stays, and the activations are delivered again. */
@@ -306,6 +308,54 @@ class MovesAfterResumeTest {
     void aPointThatTheBoatHasReachedIsNotDrivenToAgain() {
         world.run(1);
         asks(goTo("ProxyGotoPoint", 1, Priority.MEDIUM));
+        world.run(60);
+        assertThat(engine.received("ProxyPathCompleted")).hasSize(1);
+
+        assertNothingIsSent();
+        assertThat(engine.received("ProxyPathCompleted")).hasSize(1);
+    }
+
+    private static Activation leaveArea() {
+        GeoArea area = new GeoArea(
+                List.of(at(-40, -20), at(40, -20), at(40, 20), at(-40, 20)), List.of()); // the boat is in its middle
+        return new TestActivations("ProxyLeaveArea").with("area", area).of("a").activation();
+    }
+
+    private static GeoPoint at(double eastM, double northM) {
+        return Geodesy.offset(TestWorld.HOME, eastM, northM);
+    }
+
+    @Test
+    void aBoatThatIsToLeaveAnAreaLeavesItOnceItHasSaidWhereItIs() {
+        world.run(1);
+        asks(leaveArea());
+        world.run(3);
+        assertThat(world.hull("a").isAtRest()).isFalse();
+
+        resume();
+        assertThat(hasCommand()).as("its way is not known").isFalse();
+        world.run(60);
+
+        assertThat(failures()).isEmpty();
+        assertThat(engine.received("ProxyPathCompleted")).hasSize(1);
+    }
+
+    @Test
+    void aBoatThatIsOutsideOfTheAreaOnceItHasSaidWhereItIsStays() {
+        engine.open.add(leaveArea());
+
+        resume();
+        world.hull("a").drift(0, 60);
+        world.run(5);
+
+        assertThat(engine.received("ProxyPathCompleted")).hasSize(1);
+        assertThat(world.hull("a").isAtRest()).isTrue();
+    }
+
+    @Test
+    void anAreaThatABoatHasLeftIsNotLeftAgain() {
+        world.run(1);
+        asks(leaveArea());
         world.run(60);
         assertThat(engine.received("ProxyPathCompleted")).hasSize(1);
 

@@ -46,12 +46,7 @@ public final class GotoPointHandler implements ActivationHandler {
     }
 
     static Move go(Activation activation, Addressee addressee, List<GeoPoint> points, boolean keep) {
-        FollowPath free = FollowPath.of(
-                Move.commandId(activation, addressee),
-                activation.mission(),
-                activation.id(),
-                points,
-                activation.priority());
+        FollowPath free = Move.pathOf(activation, addressee, points);
         return new Move(addressee, keep ? free.blocking() : free, Optional.empty(), Reply.WAY);
     }
 }

@@ -14,12 +14,7 @@ record HeldMove(Activation activation, HandlerContext context, Move move) {
 
     /** The same without tasks of these names; empty where it is for them alone. */
     Optional<HeldMove> without(List<TaskId> names) {
-        return move.addressee()
-                .without(names)
-                .map(left -> new HeldMove(
-                        activation,
-                        context,
-                        new Move(left, move.command(), move.progress(), move.reply(), move.doubt())));
+        return move.addressee().without(names).map(left -> new HeldMove(activation, context, move.with(left)));
     }
 
     /** The boat's id. */

@@ -1,12 +1,9 @@
 package org.sami.crw.handler.motion;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.handler.activation.Addressee;
-import org.sami.crw.proxy.ProxyRegistry;
-import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.service.path.WayOut;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
@@ -16,18 +13,16 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Proxy Leave Area: each boat that is in the area drives out of it, along what it has left of the path that it drives or that was taken from it last;
- * where that does not lead out, across the nearest edge. A boat that is outside completes at once.
+ * where that does not lead out, across the nearest edge. A boat that is outside completes at once; one that has not said where it is goes once it has.
  */
 public final class LeaveAreaHandler implements ActivationHandler {
     public static final String TYPE = "ProxyLeaveArea";
     private static final String AREA = "area";
 
-    private final ProxyRegistry boats;
     private final MotionCommands motion;
     private final BoatErrors errors;
 
-    public LeaveAreaHandler(ProxyRegistry boats, MotionCommands motion, BoatErrors errors) {
-        this.boats = boats;
+    public LeaveAreaHandler(MotionCommands motion, BoatErrors errors) {
         this.motion = motion;
         this.errors = errors;
     }
@@ -39,21 +34,10 @@ public final class LeaveAreaHandler implements ActivationHandler {
         }
         WayOut out = new WayOut(area);
         WayLimits limits = context.query(view -> WayLimits.of(activation, view));
-        List<Move> moves = new ArrayList<>();
-        List<Addressee> nowhere = new ArrayList<>();
-        for (Addressee addressee : Addressee.of(activation, context)) {
-            Optional<GeoPoint> from = boats.find(addressee.boat())
-                    .flatMap(boat -> boat.status().pose())
-                    .map(BoatPose::position);
-            if (from.isPresent()) {
-                moves.add(GotoPointHandler.go(
-                        activation, addressee, way(out, addressee.boat(), from.get(), limits), false));
-            } else {
-                nowhere.add(addressee);
-            }
-        }
+        List<Move> moves = Addressee.of(activation, context).stream()
+                .map(one -> Move.fromHere(activation, one, here -> way(out, one.boat(), here, limits)))
+                .toList();
         motion.send(activation, context, moves);
-        nowhere.forEach(one -> motion.refuse(activation, context, one, "its position is unknown"));
     }
 
     private List<GeoPoint> way(WayOut out, String boat, GeoPoint from, WayLimits limits) {

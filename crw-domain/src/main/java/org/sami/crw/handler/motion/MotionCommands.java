@@ -107,7 +107,9 @@ public final class MotionCommands implements Consumer<FleetEvent> {
             if (context.orderedAgain() && known.filter(CommandMemory::isOver).isPresent()) {
                 context.post(move.remember(CommandMemory.ORDERED_AGAIN, activation, context));
             }
-            if (!context.orderedAgain()
+            boolean isWayKnown = move.wayFromHere().isEmpty(); // else it is another one than was checked
+            if (isWayKnown
+                    && !context.orderedAgain()
                     && known.filter(was -> was == CommandMemory.SENT).isPresent()) {
                 sentBefore.add(move);
             } else if (move.isOver(activation, context)) {
@@ -196,13 +198,18 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                     ? new SentCommand(activation, context, move)
                     : new SentCommand(activation, context, move.addressee(), move.reply());
             Optional<BoatProxy> boat = boats.find(move.addressee().boat());
-            if (move.command() instanceof FollowPath path && path.nothingIsLeft() && !path.block()) {
+            if (move.wayFromHere().isEmpty()
+                    && move.command() instanceof FollowPath path
+                    && path.nothingIsLeft()
+                    && !path.block()) {
                 settled.addAll(one.completed());
             } else if (boat.isEmpty()) {
                 settled.addAll(failed(one, UNKNOWN_BOAT));
             } else if (BoatMoves.refusal(activation.type(), boat.get()).isPresent()) {
                 settled.addAll(failed(
                         one, BoatMoves.refusal(activation.type(), boat.get()).orElseThrow()));
+            } else if (move.wayFromHere().isPresent()) {
+                settled.addAll(failed(one, "its position is unknown"));
             } else {
                 if (remembered) {
                     settled.addAll(move.remember(CommandMemory.SENT, activation, context));

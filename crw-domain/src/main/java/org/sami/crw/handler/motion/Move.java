@@ -11,6 +11,7 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * A command for one boat, from an activation.
@@ -18,16 +19,24 @@ import org.sami.spn.protocol.Input;
  * @param progress how the mission remembers visited points; empty = it does not
  * @param reply the answers on completion and failure
  * @param doubt a problem other than its way, found by other checks
+ * @param wayFromHere its way, where that follows from where the boat is: the command has none until the boat has said it. Empty where the command has it
  */
 public record Move(
         Addressee addressee,
         BoatCommand command,
         Optional<PathProgress.Along> progress,
         Reply reply,
-        Optional<WayDoubt> doubt) {
+        Optional<WayDoubt> doubt,
+        Optional<WayFromHere> wayFromHere) {
+    /** Chooses a way, from where the boat is; without points there is nothing to drive. */
+    @FunctionalInterface
+    interface WayFromHere {
+        List<GeoPoint> from(GeoPoint here);
+    }
+
     /** A command with which nothing is wrong but maybe its way. */
     public Move(Addressee addressee, BoatCommand command, Optional<PathProgress.Along> progress, Reply reply) {
-        this(addressee, command, progress, reply, Optional.empty());
+        this(addressee, command, progress, reply, Optional.empty(), Optional.empty());
     }
 
     public Move {
@@ -36,16 +45,52 @@ public record Move(
         Objects.requireNonNull(command, "command");
         Objects.requireNonNull(progress, "progress");
         Objects.requireNonNull(reply, "reply");
+        Objects.requireNonNull(wayFromHere, "wayFromHere");
     }
 
     /** The same with the command changed. */
     Move with(BoatCommand other) {
-        return new Move(addressee, other, progress, reply, doubt);
+        return new Move(addressee, other, progress, reply, doubt, wayFromHere);
+    }
+
+    /** The same for those that it is left for. */
+    Move with(Addressee other) {
+        return new Move(other, command, progress, reply, doubt, wayFromHere);
+    }
+
+    /** A move whose way follows from where the boat is. */
+    static Move fromHere(Activation activation, Addressee addressee, WayFromHere way) {
+        return new Move(
+                addressee,
+                pathOf(activation, addressee, List.of()),
+                Optional.empty(),
+                Reply.WAY,
+                Optional.empty(),
+                Optional.of(way));
+    }
+
+    /** The same with its way, for a boat that is here. */
+    Move from(GeoPoint here, Activation activation) {
+        return wayFromHere
+                .map(way -> new Move(
+                        addressee,
+                        pathOf(activation, addressee, way.from(here)),
+                        progress,
+                        reply,
+                        doubt,
+                        Optional.empty()))
+                .orElse(this);
+    }
+
+    /** The command to go to points, one after the other. */
+    static FollowPath pathOf(Activation activation, Addressee addressee, List<GeoPoint> points) {
+        return FollowPath.of(
+                commandId(activation, addressee), activation.mission(), activation.id(), points, activation.priority());
     }
 
     /** The same, about which the operator is to be asked. */
     public Move doubted(WayDoubt other) {
-        return new Move(addressee, command, progress, reply, Optional.of(other));
+        return new Move(addressee, command, progress, reply, Optional.of(other), wayFromHere);
     }
 
     /** What the mission remembers of its command; empty where it remembers nothing. */

@@ -8,8 +8,10 @@ import java.util.stream.Stream;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.status.BoatPose;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
+import org.sami.spn.value.GeoPoint;
 
 /**
  * Moves of boats that have not said where they are: their ways cannot be checked, so they wait for the boats' first positions. For the fleet's
@@ -23,22 +25,34 @@ final class MovesAwaitingPosition {
         this.boats = boats;
     }
 
-    /** Keeps the moves that wait; the others are returned. */
+    /** Keeps the moves that wait; the others are returned, those that go from where the boat is with their ways. */
     List<Move> hold(Activation activation, HandlerContext context, List<Move> moves) {
         List<Move> others = new ArrayList<>();
         for (Move move : moves) {
             Optional<BoatProxy> boat = boats.find(move.addressee().boat());
-            boolean waits = !move.command().unvisitedPoints().isEmpty()
-                    && boat.isPresent()
-                    && boat.get().status().pose().isEmpty();
+            Optional<GeoPoint> here = position(boat);
+            boolean needsPosition = move.wayFromHere().isPresent()
+                    || !move.command().unvisitedPoints().isEmpty();
+            boolean waits = needsPosition && boat.isPresent() && here.isEmpty();
             if (waits) {
                 waiting.add(new HeldMove(activation, context, move));
                 boat.get().commands().awaitPosition(true);
             } else {
-                others.add(move);
+                others.add(here.map(at -> move.from(at, activation)).orElse(move));
             }
         }
         return others;
+    }
+
+    private static Optional<GeoPoint> position(Optional<BoatProxy> boat) {
+        return boat.flatMap(known -> known.status().pose()).map(BoatPose::position);
+    }
+
+    private HeldMove located(HeldMove one) {
+        return position(boats.find(one.boat()))
+                .map(here ->
+                        new HeldMove(one.activation(), one.context(), one.move().from(here, one.activation())))
+                .orElse(one);
     }
 
     /** Gives the moves of a boat that need not wait any longer: it has said where it is, or has been given up. */
@@ -53,7 +67,7 @@ final class MovesAwaitingPosition {
                 waiting.stream().filter(one -> one.boat().equals(event.boat())).toList();
         waiting.removeAll(released);
         tellBoats(released);
-        return released;
+        return released.stream().map(this::located).toList();
     }
 
     /** The moves that wait. */
