@@ -115,7 +115,7 @@ public final class CrwDomain implements AutoCloseable {
         moving.addAll(own.motion);
         Withdrawals withdrawals = new Withdrawals(moving, motion, computations, fleet);
         all.addPlanning();
-        all.addAborts();
+        all.addAborts(own.laterMoves);
         all.addBoats(connector, newBoats, settings);
         all.addSubscriptions(areas, measurements, batteries);
         all.addMissions(tasks);

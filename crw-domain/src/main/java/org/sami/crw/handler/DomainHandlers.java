@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Executor;
+import java.util.stream.Stream;
 import org.sami.crw.handler.boat.ConnectExistingProxyHandler;
 import org.sami.crw.handler.boat.ConnectExistingProxyIdHandler;
 import org.sami.crw.handler.boat.CreateSimulatedProxyHandler;
@@ -24,6 +25,7 @@ import org.sami.crw.handler.motion.ExecutePathHandler;
 import org.sami.crw.handler.motion.GotoLatLonHandler;
 import org.sami.crw.handler.motion.GotoLocationListHandler;
 import org.sami.crw.handler.motion.GotoPointHandler;
+import org.sami.crw.handler.motion.LaterMoves;
 import org.sami.crw.handler.motion.LeaveAreaHandler;
 import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.NearPlaces;
@@ -133,8 +135,16 @@ final class DomainHandlers {
         byType.put(CompareDistanceHandler.TYPE, new CompareDistanceHandler(positions));
     }
 
-    void addAborts() {
-        Aborts aborts = new Aborts(boats, motion, computations);
+    /**
+     * Adds the handlers of aborts.
+     *
+     * @param others what the session's own domain has robots do later
+     */
+    void addAborts(List<LaterMoves> others) {
+        Aborts aborts = new Aborts(
+                boats,
+                motion,
+                Stream.concat(Stream.of(computations), others.stream()).toList());
         for (AbortScope scope : AbortScope.values()) {
             byType.put(scope.type(), new AbortHandler(scope, boats, aborts));
         }

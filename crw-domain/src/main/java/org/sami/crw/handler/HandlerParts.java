@@ -10,6 +10,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.motion.BoatErrors;
+import org.sami.crw.handler.motion.LaterMoves;
 import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.planning.Computations;
 import org.sami.crw.handler.planning.CrwServices;
@@ -49,6 +50,7 @@ public record HandlerParts(
         final Set<String> motion = new HashSet<>();
         final List<Consumer<FleetEvent>> fleetListeners = new ArrayList<>();
         final List<HostListener> hostListeners = new ArrayList<>();
+        final List<LaterMoves> laterMoves = new ArrayList<>();
     }
 
     /** Adds a handler of an output event that moves robots: its commands are withdrawn with the mission. */
@@ -62,6 +64,11 @@ public record HandlerParts(
         if (added.handlers.put(type, handler) != null) {
             throw new IllegalArgumentException(type + " has two handlers");
         }
+    }
+
+    /** Adds moves that are sent later, which aborts are to reach. */
+    public void addLater(LaterMoves moves) {
+        added.laterMoves.add(moves);
     }
 
     /** Adds a listener of events of robots; called on the fleet's thread. */

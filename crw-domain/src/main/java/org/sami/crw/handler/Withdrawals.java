@@ -2,6 +2,7 @@ package org.sami.crw.handler;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import org.sami.crw.handler.motion.MotionCommands;
@@ -49,10 +50,12 @@ final class Withdrawals implements HostListener {
 
     private void withdraw(Effect.CommandsWithdrawn withdrawn, List<Activation> askedBefore) {
         motion.withdraw(withdrawn.mission(), withdrawn.proxies());
-        computations.withdraw(withdrawn.mission(), withdrawn.proxies(), motion::takeBack);
+        computations.withdraw(withdrawn.mission(), withdrawn.proxies(), Optional.empty(), motion);
         for (Activation activation : askedBefore) {
             motion.takeBack(
-                    activation.id(), withdrawn.proxies().isEmpty() ? activation.proxies() : withdrawn.proxies());
+                    activation.id(),
+                    withdrawn.proxies().isEmpty() ? activation.proxies() : withdrawn.proxies(),
+                    Optional.empty());
         }
     }
 }

@@ -4,13 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.crw.event.Numbers;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.motion.LaterMoves;
 import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.Move;
 import org.sami.crw.handler.motion.PathProgress;
@@ -31,9 +34,9 @@ import org.sami.spn.value.GeoPoint;
 /**
  * Flights along points, for the handlers that need one. Altitudes are metres above the place of the take-off. An aircraft on the ground climbs on the
  * spot before it goes anywhere. What depends on where an aircraft is waits until the aircraft has said it, as after a restart of the base, or until it is
- * withdrawn. For the fleet's thread; it passes the engine's steps on to it.
+ * withdrawn or aborted. For the fleet's thread; it passes the engine's steps on to it.
  */
-final class Flights implements Consumer<FleetEvent>, HostListener {
+final class Flights implements Consumer<FleetEvent>, HostListener, LaterMoves {
     /** The legal ceiling of small aircraft in Europe, in metres above ground. */
     static final double CEILING_M = 120;
 
@@ -66,8 +69,17 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
             Reply reply,
             boolean ofEndPlace,
             boolean isPlaced) {
+        /** Its command, without the points, which are not known. */
+        Move placeless() {
+            return move(activation, context, new Flight(aircraft, List.of(), SPEED_MPS), reply, "");
+        }
+
         boolean stands() {
             return ofEndPlace || aircraft.stands(activation, context);
+        }
+
+        boolean isOf(long mission, List<String> named) {
+            return activation.mission() == mission && (named.isEmpty() || named.contains(aircraft.boat()));
         }
 
         boolean isDue(GeoPoint here) {
@@ -230,10 +242,25 @@ final class Flights implements Consumer<FleetEvent>, HostListener {
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
         for (Effect effect : effects) {
             if (effect instanceof Effect.CommandsWithdrawn withdrawn) {
-                fleet.execute(() -> waiting.removeIf(one -> one.activation.mission() == withdrawn.mission()
-                        && (withdrawn.proxies().isEmpty() || withdrawn.proxies().contains(one.aircraft.boat()))));
+                fleet.execute(() -> waiting.removeIf(one -> one.isOf(withdrawn.mission(), withdrawn.proxies())));
             }
         }
+    }
+
+    @Override
+    public Set<Long> missions(String robot) {
+        return waiting.stream()
+                .filter(one -> one.aircraft.boat().equals(robot))
+                .map(one -> one.activation.mission())
+                .collect(Collectors.toSet());
+    }
+
+    @Override
+    public void withdraw(long mission, List<String> named, Optional<String> why, MotionCommands through) {
+        List<Waiting> taken =
+                waiting.stream().filter(one -> one.isOf(mission, named)).toList();
+        waiting.removeAll(taken);
+        taken.forEach(one -> through.takeBack(one.activation, one.context, one.placeless(), why));
     }
 
     @Override

@@ -5,12 +5,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.motion.LaterMoves;
 import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.Move;
 import org.sami.crw.handler.motion.Reply;
@@ -36,10 +39,10 @@ import org.sami.spn.value.ProxyValue;
  * plan asks for something else. It gets a new place to fly to whenever the robot has moved a few metres.
  *
  * <p>Where that place is in a no-go area or outside of the fence, or there is no way to it, the aircraft stays where it is in the air and the operator is told once; it
- * goes on when the robot is where it can be followed. One whose command was taken from it, as by a stop of the fleet, does not follow any longer: it would fly off by
- * itself. For the fleet's thread; it passes the engine's steps on to it.
+ * goes on when the robot is where it can be followed. One whose command was taken from it, as by a stop of the fleet, and one that waits and is aborted, do not follow any longer: they would fly off by
+ * themselves. For the fleet's thread; it passes the engine's steps on to it.
  */
-final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, HostListener {
+final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, HostListener, LaterMoves {
     private static final double STEP_M = 6; // the robot's way between two commands
     private static final double DISTANCE_M = 15;
 
@@ -94,6 +97,11 @@ final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, Ho
 
         String name() {
             return addressee.boat();
+        }
+
+        /** Whether it is this one, has no command now, and is to get one. */
+        boolean willFly(String aircraft) {
+            return name().equals(aircraft) && state != State.IS_OVER && command.isEmpty();
         }
 
         boolean isDue(GeoPoint leader) {
@@ -153,11 +161,36 @@ final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, Ho
                     && one.isDue(leader)
                     && one.addressee.stands(following.activation, following.context)) {
                 if (isTakenFrom(one)) {
-                    one.state = State.IS_OVER;
-                    tell(following, one, Priority.MEDIUM, "does not follow " + following.leader + " any longer");
+                    end(following, one);
                 } else {
                     flights.position(one.name()).ifPresent(here -> send(following, one, here, leader));
                 }
+            }
+        }
+    }
+
+    private void end(Following following, Follower one) {
+        one.state = State.IS_OVER;
+        tell(following, one, Priority.MEDIUM, "does not follow " + following.leader + " any longer");
+    }
+
+    @Override
+    public Set<Long> missions(String robot) {
+        return open.values().stream()
+                .filter(following -> following.aircraft.stream().anyMatch(one -> one.willFly(robot)))
+                .map(following -> following.activation.mission())
+                .collect(Collectors.toSet());
+    }
+
+    /** One that flies now ends when its command is taken from it. Its failure is no answer to the plan. */
+    @Override
+    public void withdraw(long mission, List<String> named, Optional<String> why, MotionCommands through) {
+        for (Following following : open.values()) {
+            if (following.activation.mission() == mission) {
+                following.aircraft.stream()
+                        .filter(one -> named.isEmpty() || named.contains(one.name()))
+                        .filter(one -> one.willFly(one.name()))
+                        .forEach(one -> end(following, one));
             }
         }
     }

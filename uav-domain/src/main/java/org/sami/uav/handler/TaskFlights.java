@@ -1,6 +1,7 @@
 package org.sami.uav.handler;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.Iterator;
@@ -10,7 +11,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.handler.motion.LaterMoves;
 import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.Move;
 import org.sami.crw.handler.motion.Reply;
@@ -28,7 +31,7 @@ import org.sami.spn.value.TaskId;
  * Flights to the locations of tasks. An aircraft with several flies to the next one when it has no flight and no search of a task any longer. For the
  * fleet's thread; it passes the engine's steps on to it.
  */
-final class TaskFlights implements Consumer<FleetEvent>, HostListener {
+final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMoves {
     private static final Reply REPLY = Reply.way(UavEvents.REACHED_LOCATION, UavEvents.CANNOT_FLY);
 
     private final ProxyRegistry robots;
@@ -40,7 +43,15 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener {
     private final Map<String, Flown> flown = new HashMap<>(); // by aircraft: its last flight
     private final Map<String, TaskId> arrived = new HashMap<>(); // by aircraft: the task whose answer is under way
 
-    private record Waiting(Activation activation, HandlerContext context, Flights.Flight flight) {}
+    private record Waiting(Activation activation, HandlerContext context, Flights.Flight flight) {
+        TaskId task() {
+            return flight.aircraft().tasks().get(0);
+        }
+
+        Move move() {
+            return Flights.move(activation, context, flight, REPLY, "-" + task().name());
+        }
+    }
 
     /** A flight under way, or over. */
     private record Flown(TaskId task, String commandId) {}
@@ -81,10 +92,9 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener {
             if (reason.isPresent()) {
                 motion.refuse(next.activation, next.context, next.flight.aircraft(), REPLY, reason.get());
             } else if (next.flight.aircraft().stands(next.activation, next.context)) {
-                TaskId task = next.flight.aircraft().tasks().get(0);
-                Move move = Flights.move(next.activation, next.context, next.flight, REPLY, "-" + task.name());
+                Move move = next.move();
                 if (!move.isOver(next.activation, next.context)) {
-                    flown.put(aircraft, new Flown(task, move.command().commandId()));
+                    flown.put(aircraft, new Flown(next.task(), move.command().commandId()));
                     motion.send(next.activation, next.context, List.of(move));
                     return;
                 }
@@ -123,7 +133,7 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener {
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
         for (Effect effect : effects) {
             if (effect instanceof Effect.CommandsWithdrawn withdrawn) {
-                fleet.execute(() -> withdraw(withdrawn));
+                fleet.execute(() -> withdraw(withdrawn.mission(), withdrawn.proxies()));
             }
         }
         if (input instanceof Input.Received || !effects.isEmpty()) {
@@ -142,18 +152,36 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener {
         startWaiting();
     }
 
-    private void withdraw(Effect.CommandsWithdrawn withdrawn) {
+    @Override
+    public Set<Long> missions(String robot) {
+        return waiting.getOrDefault(robot, new ArrayDeque<>()).stream()
+                .map(one -> one.activation.mission())
+                .collect(Collectors.toSet());
+    }
+
+    @Override
+    public void withdraw(long mission, List<String> named, Optional<String> why, MotionCommands through) {
+        withdraw(mission, named).forEach(one -> through.takeBack(one.activation, one.context, one.move(), why));
+    }
+
+    private List<Waiting> withdraw(long mission, List<String> named) {
+        List<Waiting> taken = new ArrayList<>();
         for (Iterator<Map.Entry<String, Deque<Waiting>>> all =
                         waiting.entrySet().iterator();
                 all.hasNext(); ) {
             Map.Entry<String, Deque<Waiting>> one = all.next();
-            if (withdrawn.proxies().isEmpty() || withdrawn.proxies().contains(one.getKey())) {
-                one.getValue().removeIf(each -> each.activation.mission() == withdrawn.mission());
+            if (named.isEmpty() || named.contains(one.getKey())) {
+                List<Waiting> ofMission = one.getValue().stream()
+                        .filter(each -> each.activation.mission() == mission)
+                        .toList();
+                one.getValue().removeAll(ofMission);
+                taken.addAll(ofMission);
                 arrived.remove(one.getKey());
             }
             if (one.getValue().isEmpty()) {
                 all.remove();
             }
         }
+        return taken;
     }
 }

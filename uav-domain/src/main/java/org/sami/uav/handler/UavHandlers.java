@@ -38,6 +38,7 @@ public final class UavHandlers implements HandlerModule {
         Flights flights = new Flights(parts.robots(), parts.motion(), parts.fleet());
         parts.listen((Consumer<FleetEvent>) flights);
         parts.listen((HostListener) flights);
+        parts.addLater(flights);
         Sightings sightings = new Sightings();
         parts.listen((Consumer<FleetEvent>) sightings);
         addFlights(parts, flights);
@@ -55,6 +56,7 @@ public final class UavHandlers implements HandlerModule {
         parts.addMotion(UavEvents.FLY_TO, new FlyToHandler(flights, tasks));
         parts.listen((Consumer<FleetEvent>) tasks);
         parts.listen((HostListener) tasks);
+        parts.addLater(tasks);
         parts.addMotion(UavEvents.TAKE_OFF, VerticalHandler.climbing(flights, UavEvents.AIRBORNE));
         parts.addMotion(UavEvents.CLIMB_TO, VerticalHandler.climbing(flights, UavEvents.ALTITUDE_REACHED));
         parts.addMotion(UavEvents.LAND, VerticalHandler.landing(flights));
@@ -73,6 +75,7 @@ public final class UavHandlers implements HandlerModule {
         parts.addMotion(UavEvents.FOLLOW, follow);
         parts.listen((Consumer<FleetEvent>) follow);
         parts.listen((HostListener) follow);
+        parts.addLater(follow);
     }
 
     private static void addPlanning(HandlerParts parts, Flights flights) {

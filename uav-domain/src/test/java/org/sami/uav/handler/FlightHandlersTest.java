@@ -186,7 +186,7 @@ class FlightHandlersTest {
     void flightThatItsOwnStepTookBackDoesNotWait() {
         FlightHandlerHarness harness = new FlightHandlerHarness(1);
         harness.isOver = true;
-        harness.motion.takeBack(1, List.of("copter1"));
+        harness.motion.takeBack(1, List.of("copter1"), Optional.empty());
         takeOff(harness, "copter1");
         harness.pass(60);
 

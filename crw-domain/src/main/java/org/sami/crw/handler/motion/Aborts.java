@@ -2,53 +2,57 @@ package org.sami.crw.handler.motion;
 
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.sami.crw.proxy.ProxyRegistry;
 
 /**
  * Takes from a boat what missions have for it, wherever that is: in the boat's queue, kept back until the boat says where it is or the operator answers, or
- * still computed. For the fleet's thread.
+ * among the moves that come later. For the fleet's thread.
  */
 public final class Aborts {
     private final ProxyRegistry boats;
     private final MotionCommands motion;
-    private final ComputedMoves computed;
+    private final List<LaterMoves> later;
 
-    public Aborts(ProxyRegistry boats, MotionCommands motion, ComputedMoves computed) {
+    public Aborts(ProxyRegistry boats, MotionCommands motion, List<LaterMoves> later) {
         this.boats = boats;
         this.motion = motion;
-        this.computed = computed;
+        this.later = List.copyOf(later);
     }
 
     /** The missions that have something for a boat that is not in its queue yet. */
     Set<Long> waiting(String boat) {
         Set<Long> missions = new HashSet<>(motion.held(boat));
-        missions.addAll(computed.missions(boat));
+        later.forEach(moves -> missions.addAll(moves.missions(boat)));
         return missions;
     }
 
     /** Takes back what a mission has for a boat, as it asks itself: nobody is answered. */
     void withdraw(long mission, String boat) {
+        withdrawLater(
+                mission,
+                boat,
+                Optional.empty()); // first, so that none of them is sent when the boat has nothing to do any longer
         motion.withdraw(mission, List.of(boat));
-        computed.withdraw(mission, List.of(boat), motion::takeBack);
     }
 
     /** The same at another mission's request; a transition that waits receives the failure. */
     void abort(long mission, String boat, String reason) {
+        withdrawLater(mission, boat, Optional.of(reason));
         motion.abort(mission, boat, reason);
-        failComputed(mission, boat, reason);
     }
 
     /** Stops a boat; all that any mission has for it fails. */
     void stop(String boat, String reason) {
         waiting(boat).forEach(mission -> {
             motion.abortHeld(mission, boat, reason);
-            failComputed(mission, boat, reason);
+            withdrawLater(mission, boat, Optional.of(reason));
         });
         boats.find(boat).ifPresent(known -> known.abort(reason));
     }
 
-    private void failComputed(long mission, String boat, String reason) {
-        computed.withdraw(mission, List.of(boat), (activation, named) -> motion.takeBack(activation, named, reason));
+    private void withdrawLater(long mission, String boat, Optional<String> why) {
+        later.forEach(moves -> moves.withdraw(mission, List.of(boat), why, motion));
     }
 }

@@ -83,12 +83,10 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         List<Move> wanted = new ArrayList<>();
         for (Move move : moves) {
             Optional<String> why = without.getOrDefault(move.addressee().boat(), Optional.empty());
-            if (!without.containsKey(move.addressee().boat())) {
-                wanted.add(move);
-            } else if (why.isPresent()) {
-                refuse(activation, context, move, why.get());
+            if (without.containsKey(move.addressee().boat())) {
+                takeBack(activation, context, move, why);
             } else {
-                end(new SentCommand(activation, context, move));
+                wanted.add(move);
             }
         }
         return wanted;
@@ -259,14 +257,24 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         one.post(failed(one, reason));
     }
 
-    /** Takes back for boats what an activation is about to ask: the step that asked went on to withdraw it. */
-    public void takeBack(long activation, List<String> named) {
-        named.forEach(boat -> takeBack(activation).putIfAbsent(boat, Optional.empty()));
+    /**
+     * Takes back for boats what an activation is about to ask.
+     *
+     * @param why the failure that the plan receives in place of the command; empty where nobody is told, as where the step that asked went on to withdraw it
+     */
+    public void takeBack(long activation, List<String> named, Optional<String> why) {
+        named.forEach(boat -> takeBack(activation).putIfAbsent(boat, why));
     }
 
-    /** The same at another mission's request: the plan receives the failure in place of the command. */
-    void takeBack(long activation, List<String> named, String reason) {
-        named.forEach(boat -> takeBack(activation).putIfAbsent(boat, Optional.of(reason)));
+    /**
+     * Takes back a move that was not sent yet; it is not sent after a restart either.
+     *
+     * @param why the failure that the plan receives; empty where nobody is told
+     */
+    public void takeBack(Activation activation, HandlerContext context, Move move, Optional<String> why) {
+        why.ifPresentOrElse(
+                reason -> refuse(activation, context, move, reason),
+                () -> end(new SentCommand(activation, context, move)));
     }
 
     private Map<String, Optional<String>> takeBack(long activation) {

@@ -11,13 +11,13 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.handler.activation.ActivationMessages;
-import org.sami.crw.handler.motion.ComputedMoves;
+import org.sami.crw.handler.motion.LaterMoves;
+import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.message.MessageSink;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
@@ -35,7 +35,7 @@ import org.sami.spn.protocol.Priority;
  *
  * <p>Computations begin, and what follows them happens, on the fleet's thread.
  */
-public final class Computations implements HostListener, ComputedMoves {
+public final class Computations implements HostListener, LaterMoves {
     private final Executor fleet;
     private final MessageSink messages;
     private final Optional<ServiceThreads> threads;
@@ -238,10 +238,10 @@ public final class Computations implements HostListener, ComputedMoves {
     }
 
     @Override
-    public void withdraw(long mission, List<String> named, BiConsumer<Long, List<String>> takeBack) {
+    public void withdraw(long mission, List<String> named, Optional<String> why, MotionCommands motion) {
         for (Running one : running.values()) {
             if (one.activation.mission() == mission && one.task.commandsBoats()) {
-                takeBack.accept(one.activation.id(), named.isEmpty() ? one.activation.proxies() : named);
+                motion.takeBack(one.activation.id(), named.isEmpty() ? one.activation.proxies() : named, why);
             }
         }
     }
