@@ -3,10 +3,12 @@ package org.sami.mavlink.mission;
 import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MissionAck;
 import io.dronefleet.mavlink.common.MissionClearAll;
+import java.util.Optional;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.sami.mavlink.vehicle.VehicleId;
 
-/** Empties a list that a vehicle holds. */
+/** Empties a list that a vehicle holds. One that is not ready is asked again. */
 final class ListClearing extends AbstractListTransfer {
     private static final long ANSWER_MS = 1_500;
     private static final int TRIES = 8;
@@ -16,6 +18,7 @@ final class ListClearing extends AbstractListTransfer {
     private final Consumer<Object> send;
     private int tries;
     private long sentMs;
+    private Optional<IllegalStateException> notReady = Optional.empty();
 
     ListClearing(VehicleId vehicle, HeldKind kind, Consumer<Object> send) {
         this.vehicle = vehicle;
@@ -40,7 +43,8 @@ final class ListClearing extends AbstractListTransfer {
             return;
         }
         if (tries == TRIES) {
-            fail("vehicle " + vehicle + " does not answer when its " + kind.words() + " is to be emptied");
+            fail(notReady.orElseGet(() -> new IllegalStateException(
+                    "vehicle " + vehicle + " does not answer when its " + kind.words() + " is to be emptied")));
         } else {
             begin(nowMs);
         }
@@ -55,9 +59,21 @@ final class ListClearing extends AbstractListTransfer {
         }
         if (ack.type().entry() == MavMissionResult.MAV_MISSION_ACCEPTED) {
             succeed();
-        } else {
-            fail(new ListRefusedException(
-                    "vehicle " + vehicle + " does not empty its " + kind.words() + ": ", ack.type()));
+            return;
         }
+        ListRefusedException refusal = new ListRefusedException(
+                "vehicle " + vehicle + " does not empty its " + kind.words() + ": ", ack.type());
+        if (mayBeReadySoon(ack.type().entry())) {
+            notReady = Optional.of(refusal);
+        } else {
+            fail(refusal);
+        }
+    }
+
+    /** Such an answer may also be a late one to a transfer before. */
+    private static boolean mayBeReadySoon(@Nullable MavMissionResult result) {
+        return result == MavMissionResult.MAV_MISSION_ERROR
+                || result == MavMissionResult.MAV_MISSION_INVALID_SEQUENCE
+                || result == MavMissionResult.MAV_MISSION_OPERATION_CANCELLED;
     }
 }

@@ -42,6 +42,7 @@ public final class ListDownload extends AbstractListTransfer {
     private int unasked; // the first item that was never asked for
     private long askedMs;
     private long progressMs;
+    private boolean hasNoSuchItem; // so it answered since the last item came
 
     /** An item that was asked for {@code tries} times, last at a time. */
     private record Asked(int tries, long atMs) {}
@@ -89,9 +90,13 @@ public final class ListDownload extends AbstractListTransfer {
     }
 
     private void silent() {
-        fail("vehicle " + vehicle + " does not answer when it is asked for its " + kind.words()
-                + count.map(all -> ": it sent " + items.size() + " of " + all + " items")
-                        .orElse(""));
+        String came = count.map(all -> ": it sent " + items.size() + " of " + all + " items")
+                .orElse("");
+        fail(
+                hasNoSuchItem && count.isPresent()
+                        ? "vehicle " + vehicle + " changed its " + kind.words() + " while it was read" + came
+                                + " and has no others any longer"
+                        : "vehicle " + vehicle + " does not answer when it is asked for its " + kind.words() + came);
     }
 
     private void askHowMany(long nowMs) {
@@ -132,9 +137,12 @@ public final class ListDownload extends AbstractListTransfer {
             }
         } else if (message instanceof MissionAck ack
                 && isOurs(ack.missionType())
+                && ack.type().entry() == MavMissionResult.MAV_MISSION_INVALID_SEQUENCE) {
+            hasNoSuchItem = true; // or it is a late answer to an upload before
+        } else if (message instanceof MissionAck ack
+                && isOurs(ack.missionType())
                 && ack.type().entry() != MavMissionResult.MAV_MISSION_ACCEPTED
-                && ack.type().entry() != MavMissionResult.MAV_MISSION_INVALID_SEQUENCE // these two may be late answers
-                && ack.type().entry() != MavMissionResult.MAV_MISSION_ERROR) { // to an upload before
+                && ack.type().entry() != MavMissionResult.MAV_MISSION_ERROR) { // these two may be late answers, too
             fail(new ListRefusedException(
                     "vehicle " + vehicle + " refuses to send its " + kind.words() + ": ", ack.type()));
         }
@@ -168,6 +176,7 @@ public final class ListDownload extends AbstractListTransfer {
 
     private void next(long nowMs) {
         progressMs = nowMs;
+        hasNoSuchItem = false;
         int all = count.orElse(0);
         if (items.size() == all) {
             succeed();

@@ -11,7 +11,8 @@ import org.sami.mavlink.vehicle.VehicleId;
 
 /**
  * Replaces a list that a vehicle holds, and reads it back: only a list that came back equal counts. Where it is known what the vehicle holds and only a part of
- * it differs, that part is sent alone. A list that comes back different is sent again, whole.
+ * it differs, that part is sent alone. A list that comes back different is sent again, whole, and so is one
+ * of which a part is refused; what the vehicle refuses whole is not sent again.
  *
  * <p>It may be replaced in steps, each a list: the next one is sent once the vehicle has said that it has taken the one before, or has been read to hold it; the
  * last one is read back.
@@ -104,7 +105,7 @@ public final class ListReplacement extends AbstractListTransfer {
             return;
         }
         if (step.failure().isPresent()) {
-            boolean wasPart = step instanceof ListUpload && rounds == 1;
+            boolean wasPart = step instanceof ListUpload upload && upload.isPart();
             again(step.failure().get(), wasPart, nowMs);
         } else if (step instanceof ListDownload download) {
             readBack = download.items();

@@ -89,6 +89,11 @@ final class ListUpload extends AbstractListTransfer {
         return from == 0 && to == items.size();
     }
 
+    /** Whether it sends a part of the list alone. */
+    boolean isPart() {
+        return !isWhole();
+    }
+
     private void announce(long nowMs) {
         tries++;
         sentMs = nowMs;

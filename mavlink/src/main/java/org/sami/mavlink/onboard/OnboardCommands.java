@@ -119,6 +119,9 @@ final class OnboardCommands {
     }
 
     private OrderReply goTo(VehicleId station, CommandValues command) {
+        if (!command.isGlobal()) {
+            return OrderReply.denied("its place is no latitude and longitude: another frame is not known");
+        }
         if (!command.hasPlace()) {
             return OrderReply.denied("it is no place: " + command.latDeg() + ", " + command.lonDeg());
         }

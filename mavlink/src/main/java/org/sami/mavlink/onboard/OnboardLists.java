@@ -39,6 +39,7 @@ public final class OnboardLists {
     private final Consumer<Object> send;
     private final Map<HeldKind, List<MissionItem>> lists = new EnumMap<>(HeldKind.class);
     private Optional<Arriving> arriving = Optional.empty();
+    private Optional<Arriving> taken = Optional.empty(); // the last list, whose station may not have heard of it
 
     /** A list that is being received. */
     private static final class Arriving {
@@ -58,6 +59,10 @@ public final class OnboardLists {
             this.to = to;
             askMs = nowMs;
             heardMs = nowMs;
+        }
+
+        boolean isLastItem(VehicleId from, MissionItemInt message) {
+            return station.equals(from) && kind.type() == message.missionType().entry() && message.seq() == to - 1;
         }
     }
 
@@ -143,12 +148,18 @@ public final class OnboardLists {
         } else {
             List<MissionItem> items = part ? new ArrayList<>(held(kind.get())) : new ArrayList<>();
             arriving = Optional.of(new Arriving(station, kind.get(), items, from, to, nowMs));
+            taken = Optional.empty();
         }
     }
 
     private void received(VehicleId station, MissionItemInt message, long nowMs) {
         if (arriving.isEmpty()) {
-            acknowledge(station, message.missionType(), MavMissionResult.MAV_MISSION_ERROR);
+            boolean isRepeated =
+                    taken.filter(list -> list.isLastItem(station, message)).isPresent();
+            acknowledge(
+                    station,
+                    message.missionType(),
+                    isRepeated ? MavMissionResult.MAV_MISSION_ACCEPTED : MavMissionResult.MAV_MISSION_ERROR);
             return;
         }
         Arriving list = arriving.get();
@@ -177,6 +188,7 @@ public final class OnboardLists {
                     .or(() -> keeper.whyNotWhole(list.kind, list.items));
             if (whyNot.isEmpty()) {
                 change(list.kind, list.items);
+                taken = Optional.of(list);
             }
             acknowledge(
                     station,
@@ -234,6 +246,7 @@ public final class OnboardLists {
     }
 
     private void change(HeldKind kind, List<MissionItem> items) {
+        taken = Optional.empty();
         put(kind, items);
         keeper.changed(kind, held(kind));
     }

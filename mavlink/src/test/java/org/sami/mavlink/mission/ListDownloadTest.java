@@ -160,4 +160,29 @@ class ListDownloadTest {
         assertThat(download.items()).isEmpty();
         assertThat(sent).hasSize(1);
     }
+
+    @Test
+    void listThatIsShortenedWhileItIsReadIsNamed() {
+        download.begin(0);
+        for (int ms = 0; !download.isOver() && ms < 60_000; ms += 100) {
+            List<Object> requests = List.copyOf(sent);
+            sent.clear();
+            for (Object request : requests) {
+                boolean isGone = request instanceof MissionRequestInt asked && asked.seq() >= POINTS / 2;
+                download.take(isGone ? noSuchItem() : answer(request), ms);
+            }
+            download.tick(ms);
+        }
+
+        assertThat(download.failure().orElseThrow())
+                .hasMessage("vehicle 3 changed its mission while it was read: it sent 20 of 40 items and has no others "
+                        + "any longer");
+    }
+
+    private static MissionAck noSuchItem() {
+        return MissionAck.builder()
+                .type(MavMissionResult.MAV_MISSION_INVALID_SEQUENCE)
+                .missionType(MavMissionType.MAV_MISSION_TYPE_MISSION)
+                .build();
+    }
 }

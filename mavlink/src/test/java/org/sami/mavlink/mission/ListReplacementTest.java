@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MissionAck;
+import io.dronefleet.mavlink.common.MissionClearAll;
 import io.dronefleet.mavlink.common.MissionCount;
 import io.dronefleet.mavlink.common.MissionItemInt;
 import io.dronefleet.mavlink.common.MissionRequestInt;
@@ -296,6 +297,65 @@ class ListReplacementTest {
                 })
                 .withMessageContaining("vehicle 3 refuses the mission of 701 items: it holds no more items");
         assertThat(vehicle.held(HeldKind.MISSION)).isEqualTo(mission(10));
+        assertThat(sent)
+                .filteredOn(message -> message instanceof MissionCount count && count.count() == 701)
+                .as("it is not asked again")
+                .hasSize(1);
+    }
+
+    @Test
+    void listIsEmptiedOnceTheVehicleIsReady() {
+        List<MavMissionResult> answers = new ArrayList<>(List.of(
+                MavMissionResult.MAV_MISSION_OPERATION_CANCELLED, // of a transfer before
+                MavMissionResult.MAV_MISSION_ERROR,
+                MavMissionResult.MAV_MISSION_ACCEPTED));
+
+        assertThat(emptied(answers)).isCompletedWithValue(List.of());
+        assertThat(answers).isEmpty();
+    }
+
+    @Test
+    void vehicleThatMayNotBeEmptiedIsAskedOnce() {
+        List<MavMissionResult> answers =
+                new ArrayList<>(List.of(MavMissionResult.MAV_MISSION_DENIED, MavMissionResult.MAV_MISSION_ACCEPTED));
+
+        assertThat(emptied(answers))
+                .failsWithin(Duration.ZERO)
+                .withThrowableThat()
+                .withMessageContaining("vehicle 3 does not empty its fence");
+        assertThat(answers).hasSize(1);
+    }
+
+    /** Has a vehicle's fence emptied that gives these answers, in turn. */
+    private CompletableFuture<List<MissionItem>> emptied(List<MavMissionResult> answers) {
+        HeldLists held = new HeldLists(VEHICLE, sent::add);
+        CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
+        held.replace(HeldKind.FENCE, List.of(List.of()), nowMs, result);
+        while (!result.isDone() && nowMs < 60_000) {
+            nowMs += TICK_MS;
+            List<Object> arrived = List.copyOf(sent);
+            sent.clear();
+            for (Object message : arrived) {
+                if (message instanceof MissionClearAll) {
+                    held.take(acknowledgement(answers.remove(0)), nowMs);
+                } else if (message instanceof MissionRequestList) {
+                    held.take(
+                            MissionCount.builder()
+                                    .missionType(HeldKind.FENCE.type())
+                                    .build(),
+                            nowMs);
+                }
+            }
+            held.tick(nowMs);
+        }
+        return result;
+    }
+
+    private static MissionAck acknowledgement(MavMissionResult result) {
+        return MissionAck.builder()
+                .type(result)
+                .missionType(HeldKind.FENCE.type())
+                .build();
     }
 
     @Test

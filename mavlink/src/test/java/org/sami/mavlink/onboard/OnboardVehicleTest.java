@@ -35,6 +35,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -231,18 +232,41 @@ class OnboardVehicleTest {
                 .build();
     }
 
-    @Test
-    void placesInWholeNumbersAreExact() {
-        answers(
-                CommandAck.class,
-                CommandInt.builder()
-                        .targetSystem(BOAT)
-                        .command(MavCmd.MAV_CMD_DO_REPOSITION)
-                        .param1(-1)
-                        .param2(1)
-                        .x(454_000_001)
-                        .y(-109_000_001)
-                        .build());
+    private static CommandInt reposition(MavFrame frame) {
+        return CommandInt.builder()
+                .targetSystem(BOAT)
+                .frame(frame)
+                .command(MavCmd.MAV_CMD_DO_REPOSITION)
+                .param1(-1)
+                .param2(1)
+                .x(454_000_001)
+                .y(-109_000_001)
+                .build();
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = MavFrame.class,
+            names = {"MAV_FRAME_LOCAL_NED", "MAV_FRAME_MISSION", "MAV_FRAME_BODY_FRD", "MAV_FRAME_LOCAL_FRD"})
+    void aPlaceInMetresFromSomewhereIsRefused(MavFrame frame) {
+        answers(CommandAck.class, reposition(frame));
+
+        assertThat(orders).isEmpty();
+        assertThat(text()).contains("no latitude and longitude");
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = MavFrame.class,
+            names = {
+                "MAV_FRAME_GLOBAL",
+                "MAV_FRAME_GLOBAL_INT",
+                "MAV_FRAME_GLOBAL_RELATIVE_ALT_INT",
+                "MAV_FRAME_GLOBAL_TERRAIN_ALT_INT"
+            })
+    void placesInWholeNumbersAreExact(MavFrame frame) {
+        answers(CommandAck.class, reposition(frame));
+
         assertThat(orders).containsExactly(new StationOrder.GoTo(45.4000001, -10.9000001, Optional.empty(), true));
     }
 
@@ -339,6 +363,18 @@ class OnboardVehicleTest {
         assertThat(result(item(1).build())).isEqualTo(MavMissionResult.MAV_MISSION_DENIED);
         assertThat(changes).isZero();
         assertThat(result(item(1).build())).isEqualTo(MavMissionResult.MAV_MISSION_ERROR); // none is expected
+    }
+
+    /** Its acknowledgement was lost. */
+    @Test
+    void theLastItemOnceMoreIsAcknowledgedOnceMoreAndChangesNothing() {
+        answers(Object.class, count(2));
+        answers(Object.class, item(0).build());
+        assertThat(result(item(1).build())).isEqualTo(MavMissionResult.MAV_MISSION_ACCEPTED);
+
+        assertThat(result(item(1).build())).isEqualTo(MavMissionResult.MAV_MISSION_ACCEPTED);
+        assertThat(result(item(0).build())).isEqualTo(MavMissionResult.MAV_MISSION_ERROR); // none is expected
+        assertThat(changes).isOne();
     }
 
     @Test
