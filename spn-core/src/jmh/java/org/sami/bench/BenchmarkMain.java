@@ -2,10 +2,10 @@ package org.sami.bench;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import javax.management.JMException;
 import org.openjdk.jmh.results.Result;
 import org.openjdk.jmh.results.RunResult;
@@ -19,11 +19,14 @@ import org.sami.figures.FigureFile;
 
 /**
  * Runs the benchmarks, prints a table and writes a file: an array of {@code name}, {@code params}, {@code value},
- * {@code unit}, {@code error}. System properties: {@code benchmarks.file}; {@code quick} = true for less than two minutes.
+ * {@code unit}, {@code error}. System properties: {@code benchmarks.file}; {@code quick} = true for less than two minutes; {@code only} = the name of one
+ * benchmark, or how the names of several begin.
  */
 public final class BenchmarkMain {
     private static final String ENGINE = "engine.";
     private static final String EDIT = "edit.";
+    private static final String MEMORY = ENGINE + "memory";
+    private static final String ONLY = System.getProperty("only", "");
 
     private final List<Figure> figures = new ArrayList<>();
 
@@ -35,14 +38,15 @@ public final class BenchmarkMain {
     }
 
     private void run() throws RunnerException, IOException, JMException {
-        double bytes = MissionMemory.bytesPerIdleMission();
-        Collection<RunResult> all = new Runner(options(Boolean.getBoolean("quick"))).run();
-        for (RunResult r : all) {
-            add(r);
+        if (MEMORY.startsWith(ONLY)) {
+            double bytes = MissionMemory.bytesPerIdleMission();
+            figures.add(new Figure(MEMORY, Map.of("boats", 10), bytes, "bytes/mission", 0));
         }
-        figures.add(new Figure(ENGINE + "memory", Map.of("boats", 10), bytes, "bytes/mission", 0));
+        if (!ONLY.equals(MEMORY)) {
+            new Runner(options(Boolean.getBoolean("quick"))).run().forEach(this::add);
+        }
         FigureFile.print(figures);
-        for (String subject : List.of(ENGINE, EDIT)) {
+        for (String subject : ONLY.isEmpty() ? List.of(ENGINE, EDIT) : List.of(ONLY)) {
             List<Figure> own = figures.stream()
                     .filter(figure -> figure.name().startsWith(subject))
                     .toList();
@@ -53,7 +57,7 @@ public final class BenchmarkMain {
 
     private static Options options(boolean quick) {
         return new OptionsBuilder()
-                .include("org\\.sami\\.bench\\..*Benchmarks.*")
+                .include("org\\.sami\\.bench\\." + included())
                 .forks(1)
                 .warmupIterations(quick ? 2 : 5)
                 .warmupTime(TimeValue.seconds(quick ? 1 : 2))
@@ -62,6 +66,16 @@ public final class BenchmarkMain {
                 // collector and room of crw (gradle/start.sh)
                 .jvmArgs("-XX:+UseSerialGC", "-Xmn300m", "-Xms1g", "-Xmx1g")
                 .build();
+    }
+
+    /** The classes and methods that are measured, as a regular expression: a method has its benchmark's name, or one that begins so. */
+    private static String included() {
+        int dot = ONLY.indexOf('.');
+        if (dot < 0) {
+            return ".*Benchmarks.*";
+        }
+        String classes = (ONLY + ".").startsWith(EDIT) ? "EditBenchmarks" : "(?!EditBenchmarks).*Benchmarks";
+        return classes + "\\." + Pattern.quote(ONLY.substring(dot + 1)) + ".*";
     }
 
     private void add(RunResult r) {

@@ -102,7 +102,7 @@ public final class EngineHost implements AutoCloseable, HandlerSupport {
 
     /** Takes in one input. */
     public boolean post(Input input) {
-        return post(List.of(input));
+        return enqueue(List.of(QueuedInput.of(input)));
     }
 
     /**
