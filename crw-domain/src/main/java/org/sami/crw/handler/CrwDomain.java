@@ -15,6 +15,7 @@ import org.sami.crw.decision.DoubtedPaths;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.fleet.FleetWants;
 import org.sami.crw.fleet.publishing.FleetEvents;
+import org.sami.crw.handler.boat.BoatBlocks;
 import org.sami.crw.handler.boat.BoatNews;
 import org.sami.crw.handler.boat.BoatQuestions;
 import org.sami.crw.handler.boat.NewBoats;
@@ -92,6 +93,7 @@ public final class CrwDomain implements AutoCloseable {
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
         ExploredAreas explored = new ExploredAreas(messages, computations, errors, fleet);
         List.<Consumer<FleetEvent>>of(
+                        new BoatBlocks(host, boats), // first: others may give the boat commands
                         explored,
                         motion,
                         settings,

@@ -144,6 +144,17 @@ public final class ProxyCommands {
         return kept;
     }
 
+    /** The missions that keep the boat for themselves, the newest last. */
+    public List<Long> blocks() {
+        return driver.queue().blocks();
+    }
+
+    /** Has missions keep the boat as they did under an earlier process of this base, the newest last, in place of those that keep it now. */
+    public void restoreBlocks(List<Long> missions) {
+        driver.queue().restoreBlocks(missions);
+        afterwards.run();
+    }
+
     /**
      * Names the waypoint list that an earlier process of this base, in the same session, sent to the boat last. Where the boat still
      * holds it when its command comes again, the boat goes on with it; what it has visited meanwhile is behind it.

@@ -365,19 +365,85 @@ class MovesAfterResumeTest {
 
     @Test
     void aBoatThatIsKeptAtAPointIsKeptAgainAndNotMoved() {
-        stands(2, "here");
-        world.run(1);
-        asks(goTo("ProxyGotoPointAndBlock", 1, Priority.MEDIUM));
-        world.run(60);
-        assertThat(commands().queue().blockedBy()).hasValue(1L);
+        aBoatIsKeptByMission1();
 
         resume();
         world.run(5);
 
         assertThat(world.hull("a").isAtRest()).isTrue();
+        assertThat(engine.received("ProxyPathCompleted")).as("told once").hasSize(1);
+        assertMission2WaitsForTheBoat();
+    }
+
+    private void aBoatIsKeptByMission1() {
+        stands(2, "here");
+        world.run(1);
+        asks(goTo("ProxyGotoPointAndBlock", 1, Priority.MEDIUM));
+        world.run(60);
+        assertThat(commands().queue().blockedBy()).hasValue(1L);
+    }
+
+    private void assertMission2WaitsForTheBoat() {
         world.happens(engine, new Effect.Activated(goTo("ProxyGotoPoint", 2, Priority.MEDIUM)));
         world.run(5);
         assertThat(commands().waiting()).hasSize(1);
         assertThat(world.hull("a").isAtRest()).isTrue();
+    }
+
+    @Test
+    void aBoatIsKeptAgainWhenItHasLeftThePlaceThatAskedForIt() {
+        aBoatIsKeptByMission1();
+        engine.open.clear();
+
+        resume();
+        world.run(5);
+
+        assertThat(commands().queue().blockedBy()).hasValue(1L);
+        assertMission2WaitsForTheBoat();
+        world.happens(engine, new Effect.CommandsWithdrawn(1, List.of("a")));
+        assertThat(commands().current()).isPresent();
+
+        resume();
+        world.run(1);
+        assertThat(commands().queue().blockedBy()).as("it was given back").isEmpty();
+    }
+
+    @Test
+    void whatWaitsBehindABlockWaitsAgainThoughItComesFirst() {
+        aBoatIsKeptByMission1();
+        engine.open.clear();
+        asks(goTo("ProxyGotoPointAndBlock", 2, Priority.HIGH));
+        assertThat(commands().waiting()).hasSize(1);
+
+        resume();
+
+        assertThat(commands().waiting()).as("before the boat has a link").hasSize(1);
+        world.run(5);
+        assertThat(commands().queue().blockedBy()).hasValue(1L);
+        assertThat(world.hull("a").isAtRest()).isTrue();
+    }
+
+    @Test
+    void aBlockThatTheOperatorClearedDoesNotComeBack() {
+        aBoatIsKeptByMission1();
+        assertThat(commands().clearBlocks()).containsExactly(1L);
+
+        resume();
+        world.run(5);
+
+        assertThat(commands().queue().blockedBy()).isEmpty();
+    }
+
+    @Test
+    void aBlockOfAMissionThatEndedBesideTheBaseDoesNotComeBack() {
+        aBoatIsKeptByMission1();
+        engine.open.clear();
+        world.drain();
+        engine.missions.remove(1L);
+
+        resume();
+        world.run(5);
+
+        assertThat(commands().queue().blockedBy()).isEmpty();
     }
 }

@@ -65,7 +65,7 @@ final class EndCommands {
         for (BoatProxy boat : boats.all()) {
             List<BoatCommand> queued = new ArrayList<>(boat.commands().waiting());
             boat.commands().current().ifPresent(queued::add);
-            queued.forEach(command -> boat.commands().withdraw(command.mission()));
+            queued.forEach(command -> boat.commands().withdraw(command.commandId())); // a block stays
             if (end == BoatsAtEnd.HOLD && boat.isCommanding()) {
                 boat.status().pose().map(BoatPose::position).ifPresent(here -> hold(boat, here));
             }

@@ -20,7 +20,9 @@ public enum SessionMemory {
     /** Who has taken the boat over from the missions, as last reported to plans; empty text for none. */
     TAKEN_OVER("taken-over/"),
     /** Whether its link was lost, as last reported to plans of aircraft. */
-    LINK("link/");
+    LINK("link/"),
+    /** The missions that keep it for themselves, the newest last; empty text for none. */
+    BLOCKS("blocks/");
 
     private final String prefix;
 

@@ -110,13 +110,10 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                     && !context.orderedAgain()
                     && known.filter(was -> was == CommandMemory.SENT).isPresent()) {
                 sentBefore.add(move);
-            } else if (move.isOver(activation, context)) {
-                known.filter(was ->
-                                was == CommandMemory.COMPLETED && move.command().block())
-                        .ifPresent(kept -> sentBefore.add(move.done()));
-            } else if (answers.refuse(move.addressee().boat())) {
+            } else if (!move.isOver(activation, context)
+                    && answers.refuse(move.addressee().boat())) {
                 refuse(activation, context, move, WayQuestions.REJECTED_WAY);
-            } else {
+            } else if (!move.isOver(activation, context)) {
                 unknown.add(move);
             }
         }

@@ -5,7 +5,6 @@ import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.proxy.command.BoatCommand;
-import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.reach.WayDoubt;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
@@ -103,13 +102,6 @@ public record Move(
         return context.redelivered()
                 && !context.orderedAgain()
                 && remembered(activation, context).filter(CommandMemory::isOver).isPresent();
-    }
-
-    /** The same move for a boat that has done it, and that the mission keeps for itself: nothing of it is left. */
-    Move done() {
-        return command instanceof FollowPath path
-                ? with(path.startingAt(path.points().size()))
-                : this;
     }
 
     /** Has the mission remember this of its command. */

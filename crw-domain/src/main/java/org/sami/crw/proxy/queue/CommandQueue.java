@@ -81,6 +81,20 @@ public final class CommandQueue {
                 : Optional.of(blockingMissions.get(blockingMissions.size() - 1));
     }
 
+    /** The missions that keep the boat for themselves, the newest last. */
+    public List<Long> blocks() {
+        return List.copyOf(blockingMissions);
+    }
+
+    /** Has missions keep the boat as they did under an earlier process of the base, the newest last; a command that they do not allow waits again. */
+    public void restoreBlocks(List<Long> missions) {
+        changes++;
+        blockingMissions.clear();
+        blockingMissions.addAll(missions);
+        current = Optional.empty();
+        choose();
+    }
+
     /** Queues a command; one whose id is queued already is ignored. Returns the commands that it displaced for good, with the reasons. */
     public Map<BoatCommand, Withdrawal> submit(BoatCommand command) {
         if (find(command.commandId()).isPresent()) {

@@ -140,6 +140,22 @@ class CommandQueueTest {
     }
 
     @Test
+    void restoredBlocksHaveWhatTheyDoNotAllowWaitAgain() {
+        queue.submit(new Stop("other", 3, 3, Priority.HIGH, true));
+        submit("own", 2, Priority.LOW);
+        assertThat(current()).isEqualTo("other");
+
+        queue.restoreBlocks(List.of(1L, 2L));
+
+        assertThat(current()).isEqualTo("own");
+        assertThat(queue.blocks()).containsExactly(1L, 2L);
+        queue.withdraw(2L);
+        queue.withdraw(1L);
+        assertThat(current()).isEqualTo("other");
+        assertThat(queue.blocks()).containsExactly(3L);
+    }
+
+    @Test
     void idThatIsQueuedAlreadyIsIgnored() {
         submit("a", 1, Priority.MEDIUM);
 

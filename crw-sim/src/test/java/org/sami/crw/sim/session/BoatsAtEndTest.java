@@ -17,6 +17,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.proxy.ProxyCommands;
+import org.sami.crw.proxy.command.KeepStation;
+import org.sami.crw.proxy.command.Stop;
 import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.session.BoatsAtEnd;
@@ -24,7 +27,11 @@ import org.sami.crw.session.Session;
 import org.sami.crw.session.SessionListener;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.session.record.SessionNote;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.TextValue;
+import org.sami.spn.value.Value;
 
 /** What boats under way do once a session was left, as they say it themselves. */
 @Timeout(900)
@@ -65,6 +72,26 @@ class BoatsAtEndTest {
 
             assertThat(asked).hasValue(1);
             Await.until("anna goes on doing it", () -> does(session, wanted));
+        }
+    }
+
+    @Test
+    void boatThatAMissionKeepsForItselfIsStillKeptByItWhenTheSessionIsLeft() throws Exception {
+        try (Session session = world.opened(TestSession.library("clv"), folder.resolve("session.journal"))) {
+            session.begin();
+            TestSession.get(session.fleet().connect(TestSession.address(world.boat("anna"))));
+            Await.until("anna says where she is", () -> anna(session).pose().isPresent());
+            TestSession.get(session.fleet().ask(boats -> {
+                ProxyCommands commands = boats.find("anna").orElseThrow().commands();
+                commands.submit(new Stop("m1-block", 1, 1, Priority.MEDIUM, true));
+                commands.submit(new KeepStation("m1-stay", 1, 2, TestSession.PIER, 3, Priority.MEDIUM, false));
+                return null;
+            }));
+
+            assertThat(session.leave(BoatsAtEnd.STOP)).isEmpty();
+
+            Optional<Value> kept = session.host().ask(view -> view.memory(Ids.NONE, "blocks/anna"));
+            assertThat(kept).contains(new TextValue("1"));
         }
     }
 
