@@ -4,13 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.tuple;
 
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Gains;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.service.Geodesy;
+import org.sami.spn.engine.MissionView;
+import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Token;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.TextValue;
@@ -18,10 +23,14 @@ import org.sami.spn.value.TextValue;
 /** Settings on their way from a plan to a real boat server, and what the plan hears of them. */
 class SettingsTest {
     private final ScriptedEngine engine = new ScriptedEngine(TestWorld.VOCABULARY);
-    private final TestWorld world = new TestWorld(engine);
+    private TestWorld world = new TestWorld(engine);
 
     @BeforeEach
     void twoBoats() {
+        engine.missions.put(
+                1L,
+                new MissionView(
+                        1, 0, 1, "plan", "", MissionStatus.RUNNING, Map.of("here", List.of(new Token.Proxy("a")))));
         for (String set : List.of("SetGains", "SetVelocityMultiplier")) {
             engine.awaited.addAll(List.of(set + "Succeeded", set + "Failed"));
         }
@@ -129,6 +138,98 @@ class SettingsTest {
                         .orElseThrow()
                         .velocityMultiplier())
                 .isEqualTo(0.75);
+    }
+
+    private void asksForHalf() {
+        TestActivations asking = new TestActivations("SetVelocityMultiplier")
+                .with("multiplier", new RealValue(0.5))
+                .of("a");
+        engine.open.add(asking.activation());
+        happens(asking);
+    }
+
+    /** Another process of the base goes on. */
+    private void resume() {
+        world.drain();
+        world = new TestWorld(engine);
+        world.addBoat("a", 0, 0);
+        world.host.resume();
+        world.run(3);
+    }
+
+    private double multiplier() {
+        return world.boats
+                .find("a")
+                .orElseThrow()
+                .settings()
+                .inForce()
+                .orElseThrow()
+                .velocityMultiplier();
+    }
+
+    private List<Occurrence> answers() {
+        return Stream.concat(
+                        engine.received("SetVelocityMultiplierSucceeded").stream(),
+                        engine.received("SetVelocityMultiplierFailed").stream())
+                .toList();
+    }
+
+    @Test
+    void aSettingThatWasAnsweredIsNotSetAgainUnderTheNextBaseUnlessItIsOrdered() {
+        asksForHalf();
+        world.run(2);
+        assertThat(answers()).hasSize(1);
+
+        resume();
+
+        assertThat(multiplier()).as("what the boat has otherwise").isEqualTo(1);
+        assertThat(answers()).as("told once").hasSize(1);
+        world.cutLinks(true);
+        world.host.redeliver(7);
+        world.drain();
+        resume();
+        assertThat(multiplier()).as("ordered before the restart").isEqualTo(0.5);
+        assertThat(answers()).hasSize(2);
+    }
+
+    @Test
+    void aSettingThatFailedIsNotSetUnderTheNextBase() {
+        world.cutLinks(true);
+        asksForHalf();
+        world.boats.find("a").orElseThrow().settings().setVelocityMultiplier(0.75);
+        world.drain();
+        assertThat(engine.received("SetVelocityMultiplierFailed")).hasSize(1);
+
+        resume();
+
+        assertThat(multiplier()).isEqualTo(1);
+        assertThat(answers()).hasSize(1);
+    }
+
+    @Test
+    void aSettingThatTheBoatHasNotAnsweredIsSetUnderTheNextBase() {
+        world.cutLinks(true);
+        asksForHalf();
+
+        resume();
+
+        assertThat(multiplier()).isEqualTo(0.5);
+        assertThat(answers()).hasSize(1);
+    }
+
+    @Test
+    void aSettingThatStillWaitsIsNotReplacedByItselfWhenItIsOrderedAgain() {
+        world.cutLinks(true);
+        asksForHalf();
+        world.host.redeliver(7);
+        world.drain();
+        assertThat(answers()).isEmpty();
+
+        world.cutLinks(false);
+        world.run(3);
+
+        assertThat(engine.received("SetVelocityMultiplierSucceeded")).hasSize(1);
+        assertThat(answers()).hasSize(1);
     }
 
     private void happens(TestActivations asking) {

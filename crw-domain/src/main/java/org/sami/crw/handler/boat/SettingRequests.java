@@ -1,5 +1,6 @@
 package org.sami.crw.handler.boat;
 
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,7 +13,9 @@ import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.activation.OptionalAnswer;
+import org.sami.crw.handler.motion.CommandMemory;
 import org.sami.crw.handler.motion.MotionCommands;
+import org.sami.crw.handler.motion.Move;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -25,7 +28,8 @@ import org.sami.spn.value.Value;
 
 /**
  * Settings that activations ask of boats, and one answer about each boat: it has taken over all of them, or not, and why. While a
- * link is lost they wait. For the fleet's thread.
+ * link is lost they wait. What was answered is not set again by a base that goes on with the mission, as the operator may have set something else since
+ * (decision 0731). For the fleet's thread.
  */
 public final class SettingRequests implements Consumer<FleetEvent> {
     private final ProxyRegistry boats;
@@ -41,7 +45,7 @@ public final class SettingRequests implements Consumer<FleetEvent> {
     record Answers(String succeeded, String failed) {}
 
     /**
-     * Asks every boat that an activation speaks to.
+     * Asks every boat that an activation speaks to, but for those that have still to answer it.
      *
      * @param settings sets what is to be set on a boat and names the commands; an {@link IllegalArgumentException} is the reason why
      *     it cannot be set
@@ -50,6 +54,10 @@ public final class SettingRequests implements Consumer<FleetEvent> {
             Activation activation, HandlerContext context, Answers answers, Function<BoatProxy, Set<String>> settings) {
         for (Addressee addressee : Addressee.of(activation, context)) {
             Asked one = new Asked(activation, context, addressee, answers, new HashSet<>());
+            if (asked.values().stream().anyMatch(one::isAskedBy) || one.isOver()) {
+                continue;
+            }
+            one.rememberOrder();
             Optional<BoatProxy> boat = boats.find(addressee.boat());
             if (boat.isEmpty()) {
                 fail(one, MotionCommands.UNKNOWN_BOAT);
@@ -76,7 +84,7 @@ public final class SettingRequests implements Consumer<FleetEvent> {
     private void onTuningTaken(String boatId, String commandId) {
         Asked one = asked.remove(new Command(boatId, commandId));
         if (one != null && one.waiting.remove(commandId) && one.waiting.isEmpty()) {
-            one.post(one.answers.succeeded, Map.of());
+            one.post(CommandMemory.COMPLETED.of(one.mission(), one.id(), one.context), one.answers.succeeded, Map.of());
         }
     }
 
@@ -96,7 +104,10 @@ public final class SettingRequests implements Consumer<FleetEvent> {
                 Priority.HIGH,
                 boat + " has not taken over what \"" + one.activation.place() + "\" set: " + reason,
                 List.of(boat)));
-        one.post(one.answers.failed, Map.of("reason", new TextValue(reason)));
+        one.post(
+                CommandMemory.failed(one.mission(), one.id(), reason, one.context),
+                one.answers.failed,
+                Map.of("reason", new TextValue(reason)));
     }
 
     /** A command; its id is unique on its boat alone. */
@@ -106,8 +117,36 @@ public final class SettingRequests implements Consumer<FleetEvent> {
     private record Asked(
             Activation activation, HandlerContext context, Addressee addressee, Answers answers, Set<String> waiting) {
 
-        void post(String event, Map<String, Value> values) {
-            List<Input> inputs = OptionalAnswer.of(addressee.answer(event, activation, values), context);
+        long mission() {
+            return activation.mission();
+        }
+
+        /** Under which the mission remembers it. */
+        String id() {
+            return Move.commandId(activation, addressee);
+        }
+
+        boolean isAskedBy(Asked other) {
+            return other.id().equals(id());
+        }
+
+        /** Whether it had its answer before a restart of the base. */
+        boolean isOver() {
+            return CommandMemory.isOver(activation, addressee.boat(), id(), context);
+        }
+
+        void rememberOrder() {
+            post(CommandMemory.ordered(activation, addressee.boat(), id(), context));
+        }
+
+        /** What the mission remembers is in one batch with the answer, which may end it. */
+        void post(List<Input> memory, String event, Map<String, Value> values) {
+            List<Input> inputs = new ArrayList<>(memory);
+            inputs.addAll(OptionalAnswer.of(addressee.answer(event, activation, values), context));
+            post(inputs);
+        }
+
+        private void post(List<Input> inputs) {
             if (!inputs.isEmpty()) {
                 context.post(inputs);
             }

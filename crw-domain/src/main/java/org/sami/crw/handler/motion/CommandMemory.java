@@ -6,15 +6,16 @@ import java.util.Optional;
 import org.sami.crw.handler.boat.SentLists;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
 /**
  * What a mission remembers of a command that an activation gave to a boat, across restarts of the base: activations stay open after their commands are
- * over, and are delivered again (decision 0731). Journals from before 2026-11-30 lack it.
+ * over, and are delivered again (decision 0731). Journals from before 2026-11-30 lack it. From any thread.
  */
-enum CommandMemory {
+public enum CommandMemory {
     /** It went into the boat's queue: its way was checked, or the operator wanted it. */
     SENT("sent"),
     /** The boat has done it. */
@@ -56,8 +57,27 @@ enum CommandMemory {
                 .map(text -> text.substring((ENDED.word + REASON).length()));
     }
 
+    /** Whether an activation is delivered again after a restart of the base, and its command for a boat has had its result already: then it is not sent. */
+    public static boolean isOver(Activation activation, String boat, String commandId, HandlerContext context) {
+        return context.redelivered()
+                && !context.orderedAgain()
+                && of(activation.mission(), boat, commandId, context)
+                        .filter(CommandMemory::isOver)
+                        .isPresent();
+    }
+
+    /** Has the mission remember that somebody ordered a command again that was over; nothing where it was not, or nobody did. */
+    public static List<Input> ordered(Activation activation, String boat, String commandId, HandlerContext context) {
+        long mission = activation.mission();
+        boolean again = context.orderedAgain()
+                && of(mission, boat, commandId, context)
+                        .filter(CommandMemory::isOver)
+                        .isPresent();
+        return again ? ORDERED_AGAIN.of(mission, commandId, context) : List.of();
+    }
+
     /** Has the mission remember that a command failed, and why. */
-    static List<Input> failed(long mission, String commandId, String reason, HandlerContext context) {
+    public static List<Input> failed(long mission, String commandId, String reason, HandlerContext context) {
         return remember(mission, commandId, ENDED.word + REASON + reason, context);
     }
 
@@ -67,7 +87,7 @@ enum CommandMemory {
     }
 
     /** Has the mission remember this of a command; nothing where the mission is over, as nothing is delivered again then. */
-    List<Input> of(long mission, String commandId, HandlerContext context) {
+    public List<Input> of(long mission, String commandId, HandlerContext context) {
         return remember(mission, commandId, word, context);
     }
 

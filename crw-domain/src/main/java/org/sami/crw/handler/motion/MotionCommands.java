@@ -102,8 +102,10 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         List<Move> unknown = new ArrayList<>();
         for (Move move : moves.stream().filter(move -> !isPresent(move)).toList()) {
             Optional<CommandMemory> known = move.remembered(activation, context);
-            if (context.orderedAgain() && known.filter(CommandMemory::isOver).isPresent()) {
-                context.post(move.remember(CommandMemory.ORDERED_AGAIN, activation, context));
+            List<Input> ordered = CommandMemory.ordered(
+                    activation, move.addressee().boat(), move.command().commandId(), context);
+            if (!ordered.isEmpty()) {
+                context.post(ordered);
             }
             boolean isWayKnown = move.wayFromHere().isEmpty(); // else it is another one than was checked
             if (isWayKnown

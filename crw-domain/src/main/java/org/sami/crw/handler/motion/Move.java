@@ -99,9 +99,7 @@ public record Move(
 
     /** Whether its activation is delivered again after a restart of the base, and its command has had its result already: then it is not sent. */
     public boolean isOver(Activation activation, HandlerContext context) {
-        return context.redelivered()
-                && !context.orderedAgain()
-                && remembered(activation, context).filter(CommandMemory::isOver).isPresent();
+        return CommandMemory.isOver(activation, addressee.boat(), command.commandId(), context);
     }
 
     /** Has the mission remember this of its command. */
