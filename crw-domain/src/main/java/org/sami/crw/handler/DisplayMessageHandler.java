@@ -14,7 +14,7 @@ import org.sami.spn.value.TextValue;
 
 /**
  * Display Message: a message to the operator about the boats that entered, with its markups Priority and Keyword, and those that say what of
- * the map it is about (6.3.4).
+ * the map it is about (6.3.4). A base that goes on with the mission does not show it again.
  */
 final class DisplayMessageHandler implements ActivationHandler {
     static final String TYPE = "DisplayMessage";
@@ -27,6 +27,9 @@ final class DisplayMessageHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
+        if (ShownMessages.wasShown(activation, context)) {
+            return;
+        }
         if (!(ActivationFields.required(activation, "message") instanceof TextValue text)) {
             throw new IllegalArgumentException("\"message\" is no text: " + activation.value("message"));
         }
@@ -41,5 +44,6 @@ final class DisplayMessageHandler implements ActivationHandler {
                         markups.text("Keyword", "source"),
                         MapRelevance.of(markups, activation.proxies(), context.query(EngineView::proxies)))
                 .limited(activation.plan() + " " + activation.event(), ManipulationLimit.of(markups)));
+        ShownMessages.remember(activation, context);
     }
 }

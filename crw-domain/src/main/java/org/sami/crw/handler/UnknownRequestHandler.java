@@ -10,7 +10,7 @@ import org.sami.spn.value.TextValue;
 
 /**
  * Unknown Request: an event of an imported plan that this system does not know. It is not silently nothing: the operator is
- * told each time a plan comes to it, and what the plan waited for must be done by hand.
+ * told each time a plan comes to it, though not again after a restart of the base, and what the plan waited for must be done by hand.
  */
 final class UnknownRequestHandler implements ActivationHandler {
     static final String TYPE = "UnknownRequest";
@@ -23,6 +23,9 @@ final class UnknownRequestHandler implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
+        if (ShownMessages.wasShown(activation, context)) {
+            return;
+        }
         String name = ActivationFields.required(activation, "class") instanceof TextValue text ? text.value() : "";
         messages.tell(new OperatorMessage(
                 context.nowMillis(),
@@ -32,5 +35,6 @@ final class UnknownRequestHandler implements ActivationHandler {
                 "The plan asks for " + name + ", which this system does not know; nothing is done",
                 activation.proxies(),
                 ""));
+        ShownMessages.remember(activation, context);
     }
 }
