@@ -446,4 +446,80 @@ class MovesAfterResumeTest {
 
         assertThat(commands().queue().blockedBy()).isEmpty();
     }
+
+    /** As {@link #resume}, with a boat that has said where it is before the base goes on. */
+    private void resumeOnceLinked() {
+        world.drain();
+        world = new TestWorld(engine);
+        world.addBoat("a", 0, 0);
+        world.run(2);
+        world.host.resume();
+        world.run(2);
+    }
+
+    private void mission2HasItSentAgain() {
+        engine.awaited.add("ProxyPathCompleted");
+        stands(2, "here");
+        asks(new TestActivations("ProxyResendWaypoints")
+                .id(40)
+                .mission(2)
+                .of("a")
+                .activation());
+    }
+
+    private long toldOfThatSentAgain() {
+        return engine.received("ProxyPathCompleted").stream()
+                .filter(answer -> answer.activation() == 40)
+                .count();
+    }
+
+    @Test
+    void whatWasSentAgainAndIsDoneIsNotSentAgainNorAnsweredAgain() {
+        world.run(1);
+        asks(goTo("ProxyGotoPoint", 1, Priority.MEDIUM));
+        mission2HasItSentAgain();
+        world.run(60);
+        assertThat(toldOfThatSentAgain()).isEqualTo(1);
+        stands(3, "here");
+        asks(goTo("ProxyGotoPoint", 3, Priority.MEDIUM));
+
+        resumeOnceLinked();
+
+        assertThat(commands().uploads().sent()).as("of mission 3, once").isEqualTo(1);
+        world.run(60);
+        assertThat(engine.received("ProxyPathCompleted"))
+                .extracting(Occurrence::activation)
+                .containsExactly(21L, 40L, 23L);
+    }
+
+    @Test
+    void whatWasSentAgainBeforeTheRestartGoesOnAndIsAnsweredWhenItIsDone() {
+        world.run(1);
+        asks(goTo("ProxyGotoPoint", 1, Priority.MEDIUM));
+        mission2HasItSentAgain();
+        world.run(1);
+
+        resumeOnceLinked();
+
+        assertThat(commands().uploads().sent()).isEqualTo(1);
+        assertThat(toldOfThatSentAgain()).isZero();
+        world.run(60);
+        assertThat(toldOfThatSentAgain()).isEqualTo(1);
+    }
+
+    @Test
+    void whatIsOrderedToBeSentAgainIsSent() {
+        world.run(1);
+        asks(goTo("ProxyGotoPoint", 1, Priority.MEDIUM));
+        mission2HasItSentAgain();
+        world.run(60);
+        stands(3, "here");
+        asks(goTo("ProxyGotoPoint", 3, Priority.MEDIUM));
+        resumeOnceLinked();
+
+        world.host.redeliver(40);
+        world.run(60);
+
+        assertThat(toldOfThatSentAgain()).isEqualTo(2);
+    }
 }

@@ -26,7 +26,7 @@ public enum CommandMemory {
     ORDERED_AGAIN("ordered again");
 
     private static final String KEY = "command/";
-    private static final String REASON = ": "; // after the word
+    private static final String REASON = ": "; // after the word, before the reason or the other command
 
     private final String word;
 
@@ -50,11 +50,16 @@ public enum CommandMemory {
 
     /** Why a command failed, as its plan was told; empty where it did not fail. */
     static Optional<String> failure(long mission, String commandId, EngineView view) {
+        return detail(ENDED, mission, commandId, view);
+    }
+
+    private static Optional<String> detail(CommandMemory what, long mission, String commandId, EngineView view) {
+        String before = what.word + REASON;
         return view.memory(mission, KEY + commandId)
                 .filter(TextValue.class::isInstance)
                 .map(remembered -> ((TextValue) remembered).value())
-                .filter(text -> text.startsWith(ENDED.word + REASON))
-                .map(text -> text.substring((ENDED.word + REASON).length()));
+                .filter(text -> text.startsWith(before))
+                .map(text -> text.substring(before.length()));
     }
 
     /** Whether an activation is delivered again after a restart of the base, and its command for a boat has had its result already: then it is not sent. */
@@ -74,6 +79,16 @@ public enum CommandMemory {
                         .filter(CommandMemory::isOver)
                         .isPresent();
         return again ? ORDERED_AGAIN.of(mission, commandId, context) : List.of();
+    }
+
+    /** The command of another activation that was sent to the boat once more; empty where none is remembered. */
+    static Optional<String> sentAgain(long mission, String id, HandlerContext context) {
+        return context.query(view -> detail(SENT, mission, id, view));
+    }
+
+    /** Has the mission remember that the command of another activation was sent to the boat once more. */
+    static List<Input> sentAgain(long mission, String id, String commandId, HandlerContext context) {
+        return remember(mission, id, SENT.word + REASON + commandId, context);
     }
 
     /** Has the mission remember that a command failed, and why. */

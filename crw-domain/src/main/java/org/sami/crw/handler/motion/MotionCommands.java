@@ -127,9 +127,12 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     }
 
     private boolean isPresent(Move move) {
-        String commandId = move.command().commandId();
+        return isPresent(move.command().commandId(), move.addressee().boat());
+    }
+
+    private boolean isPresent(String commandId, String boatId) {
         return held.has(commandId)
-                || boats.find(move.addressee().boat())
+                || boats.find(boatId)
                         .flatMap(boat -> boat.commands().visitedCount(commandId))
                         .isPresent();
     }
@@ -222,27 +225,38 @@ public final class MotionCommands implements Consumer<FleetEvent> {
 
     /**
      * Has boats be sent the waypoints of their present command once more, whichever mission's that is. The plan receives this
-     * command too what becomes of it; a boat that has no waypoints now has nothing left of them.
+     * command too what becomes of it; a boat that has no waypoints now has nothing left of them. After a restart, what was sent again is not sent a third
+     * time: the plan still hears what becomes of it.
      */
     void sendAgain(Activation activation, HandlerContext context, List<Addressee> addressees) {
         List<Input> settled = new ArrayList<>();
         for (Addressee addressee : addressees) {
-            Optional<BoatProxy> boat = boats.find(addressee.boat());
-            Optional<BoatCommand> command =
-                    boat.flatMap(proxy -> proxy.commands().sendPathAgain());
-            SentCommand one = new SentCommand(activation, context, addressee, Reply.WAY_IF_AWAITED);
-            if (boat.isEmpty()) {
-                settled.addAll(failed(one, UNKNOWN_BOAT));
-            } else if (command.isEmpty()) {
-                settled.addAll(one.completed());
-            } else {
-                again.computeIfAbsent(command.get().commandId(), id -> new ArrayList<>())
-                        .add(one);
+            String id = Move.commandId(activation, addressee);
+            if (!CommandMemory.isOver(activation, addressee.boat(), id, context)) {
+                settled.addAll(CommandMemory.ordered(activation, addressee.boat(), id, context));
+                settled.addAll(sendAgain(SentCommand.again(activation, context, addressee), id, context));
             }
         }
         if (!settled.isEmpty()) {
             context.post(settled);
         }
+    }
+
+    private List<Input> sendAgain(SentCommand one, String id, HandlerContext context) {
+        Optional<BoatProxy> boat = boats.find(one.boat());
+        if (boat.isEmpty()) {
+            return failed(one, UNKNOWN_BOAT);
+        }
+        Optional<String> before = CommandMemory.sentAgain(one.mission(), id, context)
+                .filter(commandId -> context.redelivered() && !context.orderedAgain())
+                .filter(commandId -> isPresent(commandId, one.boat()));
+        Optional<String> command =
+                before.or(() -> boat.get().commands().sendPathAgain().map(BoatCommand::commandId));
+        if (command.isEmpty()) {
+            return one.completed();
+        }
+        again.computeIfAbsent(command.get(), unused -> new ArrayList<>()).add(one);
+        return before.isPresent() ? List.of() : CommandMemory.sentAgain(one.mission(), id, command.get(), context);
     }
 
     /** A boat cannot do what it was asked: it is answered before it gets a command. */
@@ -302,9 +316,13 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     public void withdraw(long mission, List<String> named) {
         held.take(one -> one.mission() == mission && (named.isEmpty() || named.contains(one.boat())))
                 .forEach(one -> end(new SentCommand(one.activation(), one.context(), one.move())));
-        again.values()
-                .forEach(all -> all.removeIf(
-                        one -> one.mission() == mission && (named.isEmpty() || named.contains(one.boat()))));
+        for (List<SentCommand> all : again.values()) {
+            List<SentCommand> taken = all.stream()
+                    .filter(one -> one.mission() == mission && (named.isEmpty() || named.contains(one.boat())))
+                    .toList();
+            all.removeAll(taken);
+            taken.forEach(MotionCommands::end);
+        }
         for (String boat : named.isEmpty() ? boats.boatIds() : named) {
             boats.find(boat)
                     .ifPresent(proxy -> proxy.commands().withdraw(mission).forEach(command -> {

@@ -26,7 +26,7 @@ final class SentCommand {
     private final Reply reply;
     private final Optional<PathProgress.Along> along;
     private final int points;
-    private final Optional<Move> move;
+    private final Optional<String> id; // under which the mission remembers it
     private int remembered;
 
     /** A command that an activation gave. */
@@ -36,21 +36,36 @@ final class SentCommand {
         addressee = move.addressee();
         reply = move.reply();
         along = move.progress();
-        this.move = Optional.of(move);
+        id = Optional.of(move.command().commandId());
         boolean isPath = move.command() instanceof FollowPath;
         points = isPath ? ((FollowPath) move.command()).points().size() : 0;
         remembered = isPath ? ((FollowPath) move.command()).startIndex() : 0;
     }
 
-    /** A command that another activation gave, and that this one too wants to hear of. */
+    /** A command of which the mission remembers nothing. */
     SentCommand(Activation activation, HandlerContext context, Addressee addressee, Reply reply) {
+        this(activation, context, addressee, reply, Optional.empty());
+    }
+
+    private SentCommand(
+            Activation activation, HandlerContext context, Addressee addressee, Reply reply, Optional<String> id) {
         this.activation = activation;
         this.context = context;
         this.addressee = addressee;
         this.reply = reply;
+        this.id = id;
         along = Optional.empty();
-        move = Optional.empty();
         points = 0;
+    }
+
+    /** A command that another activation gave, of which this one wants to hear too, and of which its mission remembers what became of that wish. */
+    static SentCommand again(Activation activation, HandlerContext context, Addressee addressee) {
+        return new SentCommand(
+                activation,
+                context,
+                addressee,
+                Reply.WAY_IF_AWAITED,
+                Optional.of(Move.commandId(activation, addressee)));
     }
 
     long mission() {
@@ -98,9 +113,8 @@ final class SentCommand {
     }
 
     List<Input> failed(String reason) {
-        List<Input> inputs = new ArrayList<>(
-                move.map(one -> CommandMemory.failed(mission(), one.command().commandId(), reason, context))
-                        .orElse(List.of()));
+        List<Input> inputs = new ArrayList<>(id.map(one -> CommandMemory.failed(mission(), one, reason, context))
+                .orElse(List.of()));
         reply.failedEvent().ifPresent(event -> inputs.addAll(answer(event, Map.of("reason", new TextValue(reason)))));
         return inputs;
     }
@@ -112,7 +126,7 @@ final class SentCommand {
 
     /** Before the answer, which may end the mission; in one batch with it, so that no restart separates them. */
     private List<Input> remember(CommandMemory what) {
-        return move.map(one -> one.remember(what, activation, context)).orElse(List.of());
+        return id.map(one -> what.of(mission(), one, context)).orElse(List.of());
     }
 
     private List<Input> answer(String event, Map<String, Value> values) {
