@@ -325,16 +325,25 @@ public final class BoatServer {
         }
     }
 
-    /** Whoever is linked may stop the boat. While it is stopped, further stops change nothing and are not logged. */
+    /** Whoever is linked may stop the boat. While it is stopped, further stops leave it as it is and are not logged. */
     private void stopForObserver(ServerSession session, FleetStop stop, Frame frame, long nowMs) {
+        boolean isNew = session.stopsAnew(stop.commandId());
         if (modes.mode() == BoatMode.FLEET_STOP) {
             executor.stopAgain(session.clientId());
             session.send(new Ack(stop.commandId()), nowMs);
+            if (isNew) {
+                outdateCommander(nowMs);
+            }
         } else if (!session.isOvertaken(frame)) {
             execute(session, stop, frame, nowMs);
-            if (hasCommander()) { // what the commander sent before it hears of the stop is older than the stop
-                introduce(commander.get(), Role.COMMANDER, newTerm(), nowMs);
-            }
+            outdateCommander(nowMs);
+        }
+    }
+
+    /** What the commander sent before it hears of a stop is older than the stop, a release too. */
+    private void outdateCommander(long nowMs) {
+        if (hasCommander()) {
+            introduce(commander.get(), Role.COMMANDER, newTerm(), nowMs);
         }
     }
 

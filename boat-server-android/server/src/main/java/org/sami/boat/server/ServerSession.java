@@ -47,6 +47,7 @@ public final class ServerSession {
     private String term = "";
     private long newestExecuted = -1; // by its sequence; it outlives every hello
     private long refusedFrames;
+    private String newestStop = ""; // of an observer
     private boolean wishesToCommand;
     private final RateLimit wishes = TransferRateLimits.wishesOfOne();
     private Optional<String> dismissal = Optional.empty();
@@ -261,6 +262,13 @@ public final class ServerSession {
     /** Whether a frame was sent before the client had read the welcome of its present term. */
     boolean isOfAnotherTerm(Frame frame) {
         return !frame.term().equals(term);
+    }
+
+    /** Whether an observer's stop is another one than its newest before; a client repeats its stop until it is answered. */
+    boolean stopsAnew(String commandId) {
+        boolean isNew = !commandId.equals(newestStop);
+        newestStop = commandId;
+        return isNew;
     }
 
     void executed(Frame frame) {

@@ -110,6 +110,37 @@ class StaleMotionTest {
     }
 
     @Test
+    void releaseThatIsOlderThanAnObserversStopDoesNotReleaseABoatThatWasStoppedAlready() {
+        Client client = withList();
+        Client observer = bench.client(Role.OBSERVER, 1);
+        client.command(new FleetStop("f"));
+        byte[] release = client.frame(20, new FleetRelease("r"));
+
+        assertThat(observer.command(new FleetStop("g"))).isInstanceOf(Ack.class);
+
+        assertThat(client.hear(release).get(0)).isInstanceOf(Nack.class);
+        assertStays(BoatMode.FLEET_STOP);
+        assertThat(client.say(21, new FleetRelease("s")).get(0))
+                .as("what is sent after the stop is known")
+                .isInstanceOf(Ack.class);
+    }
+
+    @Test
+    void repeatedStopOfAnObserverRefusesNoReleaseThatWasOrderedAfterIt() {
+        Client client = withList();
+        Client observer = bench.client(Role.OBSERVER, 1);
+        observer.command(new FleetStop("g"));
+        byte[] release = client.frame(20, new FleetRelease("r"));
+
+        assertThat(observer.command(new FleetStop("g")))
+                .as("as its answer was lost")
+                .isInstanceOf(Ack.class);
+
+        assertThat(client.hear(release).get(0)).isInstanceOf(Ack.class);
+        assertThat(bench.server.mode()).isEqualTo(BoatMode.STOPPED);
+    }
+
+    @Test
     void holdThatIsOlderThanAStopDoesNotTurnTheMotorsOnAndStillEndsAWay() {
         Client client = withList();
         client.say(20, new StopMotors("x"));
