@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.boat.link.Gains;
+import org.sami.crw.decision.BoatDescriptions;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.service.Geodesy;
@@ -230,6 +231,24 @@ class SettingsTest {
 
         assertThat(engine.received("SetVelocityMultiplierSucceeded")).hasSize(1);
         assertThat(answers()).hasSize(1);
+    }
+
+    @Test
+    void aDescriptionThatWasChangedSinceIsNotSetBackUnderTheNextBase() {
+        TestActivations first = new TestActivations("ProxySetDescription").with("description", new TextValue("SHORE"));
+        engine.open.add(first.of("a").activation());
+        happens(first);
+        happens(new TestActivations("ProxySetDescription")
+                .id(8)
+                .with("description", new TextValue("WATER"))
+                .of("a"));
+
+        resume();
+        assertThat(BoatDescriptions.of(engine, "a")).contains("WATER");
+
+        world.host.redeliver(7);
+        world.drain();
+        assertThat(BoatDescriptions.of(engine, "a")).as("ordered").contains("SHORE");
     }
 
     private void happens(TestActivations asking) {
