@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.reach.WayDoubt;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
