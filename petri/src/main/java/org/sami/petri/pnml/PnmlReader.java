@@ -3,6 +3,7 @@ package org.sami.petri.pnml;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -65,6 +66,9 @@ public final class PnmlReader {
 
     /** The message without the place that the parser puts before it. */
     private static String words(XMLStreamException broken) {
+        if (broken.getNestedException() instanceof CharacterCodingException) {
+            return "it is not written in UTF-8, as it says, or as it must be where it says nothing";
+        }
         if (broken.getNestedException() instanceof IOException fault) {
             return String.valueOf(fault.getMessage());
         }

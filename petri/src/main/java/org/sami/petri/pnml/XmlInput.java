@@ -1,10 +1,14 @@
 package org.sami.petri.pnml;
 
+import java.io.BufferedInputStream;
 import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import javax.xml.XMLConstants;
 import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
@@ -16,6 +20,11 @@ import javax.xml.stream.XMLStreamReader;
  * bytes than are allowed, and elements that are nested too deep. For one thread.
  */
 final class XmlInput {
+    private static final int HEAD = 200; // bytes, in which the encoding is declared
+    private static final Pattern ENCODING =
+            Pattern.compile("^(?:\u00ef\u00bb\u00bf)?<\\?xml[^>]*\\sencoding\\s*=\\s*[\"']([\\w.-]+)");
+    private static final String UTF8_MARK = "\u00ef\u00bb\u00bf"; // its bytes
+
     private final XMLStreamReader xml;
     private final PnmlLimits limits;
     private int depth;
@@ -28,7 +37,29 @@ final class XmlInput {
         factory.setProperty(XMLInputFactory.IS_REPLACING_ENTITY_REFERENCES, false);
         factory.setProperty(XMLInputFactory.IS_COALESCING, false);
         factory.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
-        xml = factory.createXMLStreamReader(new Counted(in, limits.bytes()));
+        xml = reader(factory, new BufferedInputStream(new Counted(in, limits.bytes())));
+    }
+
+    /** UTF-8, which PNML is written in, is decoded here: the JDK's own decoder prints a line of its own about bytes that are none. */
+    private static XMLStreamReader reader(XMLInputFactory factory, BufferedInputStream in) throws XMLStreamException {
+        try {
+            in.mark(HEAD);
+            String head = new String(in.readNBytes(HEAD), StandardCharsets.ISO_8859_1);
+            in.reset();
+            boolean isUtf8 = ENCODING.matcher(head)
+                    .results()
+                    .allMatch(encoding -> encoding.group(1).equalsIgnoreCase("UTF-8"));
+            boolean isUtf16 =
+                    head.startsWith("\u00fe\u00ff") || head.startsWith("\u00ff\u00fe") || head.indexOf(0) >= 0;
+            if (!isUtf8 || isUtf16) {
+                return factory.createXMLStreamReader(in);
+            }
+            in.skipNBytes(head.startsWith(UTF8_MARK) ? UTF8_MARK.length() : 0);
+            return factory.createXMLStreamReader(
+                    new InputStreamReader(in, StandardCharsets.UTF_8.newDecoder())); // faults are no question marks
+        } catch (IOException fault) {
+            throw new XMLStreamException(String.valueOf(fault.getMessage()), fault);
+        }
     }
 
     /** Goes on to the next tag; whether it begins an element. False at the end of the enclosing element or of the file. */
