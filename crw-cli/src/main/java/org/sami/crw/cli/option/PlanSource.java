@@ -34,6 +34,7 @@ import org.sami.spn.vocabulary.Vocabulary;
  */
 public record PlanSource(String source, Optional<Project> project, Optional<Plan> plan, List<Finding> findings) {
     private static final String DOMAIN = "/org/sami/domain/crw";
+    private static final String PROJECT_FILE = "project.json"; // in a folder
 
     public PlanSource {
         Objects.requireNonNull(source, "source");
@@ -48,13 +49,15 @@ public record PlanSource(String source, Optional<Project> project, Optional<Plan
     }
 
     /**
-     * Finds and reads it.
+     * Finds and reads it: a file, a folder of a project, or a plan of the library. A folder that has no project is none, where the library has such a plan.
      *
      * @throws UsageFault if there is no such plan and no such file
      */
     public static PlanSource find(String name, DomainLibrary library) {
         Path path = Path.of(name);
-        if (Files.exists(path)) {
+        boolean isOtherFolder = Files.isDirectory(path) && !Files.exists(path.resolve(PROJECT_FILE));
+        boolean isOfLibrary = library.projectOf(name).isPresent();
+        if (Files.exists(path) && !(isOtherFolder && isOfLibrary)) {
             Reading<Project> reading = read(path, library);
             return new PlanSource(name, reading.result(), Optional.empty(), reading.findings());
         }
@@ -68,7 +71,7 @@ public record PlanSource(String source, Optional<Project> project, Optional<Plan
 
     private static Reading<Project> read(Path path, DomainLibrary library) {
         try {
-            BoundedFile.check(Files.isDirectory(path) ? path.resolve("project.json") : path, BoundedFile.PROJECT_BYTES);
+            BoundedFile.check(Files.isDirectory(path) ? path.resolve(PROJECT_FILE) : path, BoundedFile.PROJECT_BYTES);
             return BoundedFile.making(
                     path,
                     () -> new ProjectReader(library.vocabulary()).readAndCheck(path, read -> checked(library, read)));
