@@ -5,8 +5,7 @@ import java.util.List;
 import org.sami.crw.decision.BoatDescriptions;
 import org.sami.crw.handler.activation.ActivationFields;
 import org.sami.crw.handler.activation.Addressee;
-import org.sami.crw.handler.motion.CommandMemory;
-import org.sami.crw.handler.motion.Move;
+import org.sami.crw.handler.activation.CommandMemory;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
@@ -28,10 +27,10 @@ public final class SetDescriptionHandler implements ActivationHandler {
         }
         List<Input> inputs = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {
-            String id = Move.commandId(activation, addressee);
-            if (!CommandMemory.isOver(activation, addressee.boat(), id, context)) {
+            String id = CommandMemory.id(activation, addressee.boat());
+            if (!CommandMemory.isOver(activation, id, context)) {
                 inputs.add(BoatDescriptions.remember(addressee.boat(), text.value()));
-                inputs.addAll(CommandMemory.COMPLETED.of(activation.mission(), id, context));
+                inputs.addAll(CommandMemory.COMPLETED.remember(activation.mission(), id, context));
             }
         }
         if (!inputs.isEmpty()) {

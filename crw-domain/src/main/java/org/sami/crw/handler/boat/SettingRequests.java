@@ -12,10 +12,9 @@ import java.util.function.Function;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.activation.CommandMemory;
 import org.sami.crw.handler.activation.OptionalAnswer;
-import org.sami.crw.handler.motion.CommandMemory;
 import org.sami.crw.handler.motion.MotionCommands;
-import org.sami.crw.handler.motion.Move;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -84,7 +83,10 @@ public final class SettingRequests implements Consumer<FleetEvent> {
     private void onTuningTaken(String boatId, String commandId) {
         Asked one = asked.remove(new Command(boatId, commandId));
         if (one != null && one.waiting.remove(commandId) && one.waiting.isEmpty()) {
-            one.post(CommandMemory.COMPLETED.of(one.mission(), one.id(), one.context), one.answers.succeeded, Map.of());
+            one.post(
+                    CommandMemory.COMPLETED.remember(one.mission(), one.id(), one.context),
+                    one.answers.succeeded,
+                    Map.of());
         }
     }
 
@@ -123,7 +125,7 @@ public final class SettingRequests implements Consumer<FleetEvent> {
 
         /** Under which the mission remembers it. */
         String id() {
-            return Move.commandId(activation, addressee);
+            return CommandMemory.id(activation, addressee.boat());
         }
 
         boolean isAskedBy(Asked other) {
@@ -132,11 +134,11 @@ public final class SettingRequests implements Consumer<FleetEvent> {
 
         /** Whether it had its answer before a restart of the base. */
         boolean isOver() {
-            return CommandMemory.isOver(activation, addressee.boat(), id(), context);
+            return CommandMemory.isOver(activation, id(), context);
         }
 
         void rememberOrder() {
-            post(CommandMemory.ordered(activation, addressee.boat(), id(), context));
+            post(CommandMemory.ordered(activation, id(), context));
         }
 
         /** What the mission remembers is in one batch with the answer, which may end it. */

@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.activation.CommandMemory;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
@@ -102,8 +103,8 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         List<Move> unknown = new ArrayList<>();
         for (Move move : moves.stream().filter(move -> !isPresent(move)).toList()) {
             Optional<CommandMemory> known = move.remembered(activation, context);
-            List<Input> ordered = CommandMemory.ordered(
-                    activation, move.addressee().boat(), move.command().commandId(), context);
+            List<Input> ordered =
+                    CommandMemory.ordered(activation, move.command().commandId(), context);
             if (!ordered.isEmpty()) {
                 context.post(ordered);
             }
@@ -232,8 +233,8 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         List<Input> settled = new ArrayList<>();
         for (Addressee addressee : addressees) {
             String id = Move.commandId(activation, addressee);
-            if (!CommandMemory.isOver(activation, addressee.boat(), id, context)) {
-                settled.addAll(CommandMemory.ordered(activation, addressee.boat(), id, context));
+            if (!CommandMemory.isOver(activation, id, context)) {
+                settled.addAll(CommandMemory.ordered(activation, id, context));
                 settled.addAll(sendAgain(SentCommand.again(activation, context, addressee), id, context));
             }
         }

@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.activation.CommandMemory;
+import org.sami.crw.handler.boat.SentLists;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.service.reach.WayDoubt;
@@ -95,26 +97,30 @@ public record Move(
 
     /** What the mission remembers of its command; empty where it remembers nothing. */
     Optional<CommandMemory> remembered(Activation activation, HandlerContext context) {
-        return CommandMemory.of(activation.mission(), addressee.boat(), command.commandId(), context);
+        return CommandMemory.of(activation.mission(), command.commandId(), context)
+                .or(() -> tookItsList(context));
+    }
+
+    /** Of an earlier version's command the session knows whether the boat took its list last. */
+    private Optional<CommandMemory> tookItsList(HandlerContext context) {
+        return context.query(view -> SentLists.isOf(command.commandId(), addressee.boat(), view))
+                ? Optional.of(CommandMemory.SENT)
+                : Optional.empty();
     }
 
     /** Whether its activation is delivered again after a restart of the base, and its command has had its result already: then it is not sent. */
     public boolean isOver(Activation activation, HandlerContext context) {
-        return CommandMemory.isOver(activation, addressee.boat(), command.commandId(), context);
+        return CommandMemory.isOver(activation, command.commandId(), context);
     }
 
     /** Has the mission remember this of its command. */
     List<Input> remember(CommandMemory what, Activation activation, HandlerContext context) {
-        return what.of(activation.mission(), command.commandId(), context);
+        return what.remember(activation.mission(), command.commandId(), context);
     }
 
     /** The command's id: the same whenever the activation is delivered, and no other's. */
     public static String commandId(Activation activation, Addressee addressee) {
-        return commandId(activation, addressee.boat());
-    }
-
-    private static String commandId(Activation activation, String boat) {
-        return "m" + activation.mission() + "-a" + activation.id() + "-" + boat;
+        return CommandMemory.id(activation, addressee.boat());
     }
 
     /**
@@ -122,7 +128,7 @@ public record Move(
      * again.
      */
     public static Optional<String> failure(Activation activation, String boat, EngineView view) {
-        return CommandMemory.failure(activation.mission(), commandId(activation, boat), view);
+        return CommandMemory.failure(activation.mission(), CommandMemory.id(activation, boat), view);
     }
 
     /**

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.activation.CommandMemory;
 import org.sami.crw.handler.activation.OptionalAnswer;
 import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.command.FollowPath;
@@ -126,7 +127,7 @@ final class SentCommand {
 
     /** Before the answer, which may end the mission; in one batch with it, so that no restart separates them. */
     private List<Input> remember(CommandMemory what) {
-        return id.map(one -> what.of(mission(), one, context)).orElse(List.of());
+        return id.map(one -> what.remember(mission(), one, context)).orElse(List.of());
     }
 
     private List<Input> answer(String event, Map<String, Value> values) {

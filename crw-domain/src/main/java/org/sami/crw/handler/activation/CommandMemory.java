@@ -1,9 +1,8 @@
-package org.sami.crw.handler.motion;
+package org.sami.crw.handler.activation;
 
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.sami.crw.handler.boat.SentLists;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
@@ -34,11 +33,14 @@ public enum CommandMemory {
         this.word = word;
     }
 
+    /** The id of an activation's command for a boat: the same whenever the activation is delivered, and no other's. */
+    public static String id(Activation activation, String boat) {
+        return "m" + activation.mission() + "-a" + activation.id() + "-" + boat;
+    }
+
     /** What the mission remembers of a command; empty where it remembers nothing. */
-    static Optional<CommandMemory> of(long mission, String boat, String commandId, HandlerContext context) {
-        return context.query(view -> view.memory(mission, KEY + commandId)
-                .flatMap(CommandMemory::read)
-                .or(() -> SentLists.isOf(commandId, boat, view) ? Optional.of(SENT) : Optional.empty()));
+    public static Optional<CommandMemory> of(long mission, String commandId, HandlerContext context) {
+        return context.query(view -> view.memory(mission, KEY + commandId).flatMap(CommandMemory::read));
     }
 
     private static Optional<CommandMemory> read(Value remembered) {
@@ -49,7 +51,7 @@ public enum CommandMemory {
     }
 
     /** Why a command failed, as its plan was told; empty where it did not fail. */
-    static Optional<String> failure(long mission, String commandId, EngineView view) {
+    public static Optional<String> failure(long mission, String commandId, EngineView view) {
         return detail(ENDED, mission, commandId, view);
     }
 
@@ -62,32 +64,30 @@ public enum CommandMemory {
                 .map(text -> text.substring(before.length()));
     }
 
-    /** Whether an activation is delivered again after a restart of the base, and its command for a boat has had its result already: then it is not sent. */
-    public static boolean isOver(Activation activation, String boat, String commandId, HandlerContext context) {
+    /** Whether an activation is delivered again after a restart of the base, and its command has had its result already: then it is not sent. */
+    public static boolean isOver(Activation activation, String commandId, HandlerContext context) {
         return context.redelivered()
                 && !context.orderedAgain()
-                && of(activation.mission(), boat, commandId, context)
+                && of(activation.mission(), commandId, context)
                         .filter(CommandMemory::isOver)
                         .isPresent();
     }
 
     /** Has the mission remember that somebody ordered a command again that was over; nothing where it was not, or nobody did. */
-    public static List<Input> ordered(Activation activation, String boat, String commandId, HandlerContext context) {
+    public static List<Input> ordered(Activation activation, String commandId, HandlerContext context) {
         long mission = activation.mission();
         boolean again = context.orderedAgain()
-                && of(mission, boat, commandId, context)
-                        .filter(CommandMemory::isOver)
-                        .isPresent();
-        return again ? ORDERED_AGAIN.of(mission, commandId, context) : List.of();
+                && of(mission, commandId, context).filter(CommandMemory::isOver).isPresent();
+        return again ? ORDERED_AGAIN.remember(mission, commandId, context) : List.of();
     }
 
     /** The command of another activation that was sent to the boat once more; empty where none is remembered. */
-    static Optional<String> sentAgain(long mission, String id, HandlerContext context) {
+    public static Optional<String> sentAgain(long mission, String id, HandlerContext context) {
         return context.query(view -> detail(SENT, mission, id, view));
     }
 
     /** Has the mission remember that the command of another activation was sent to the boat once more. */
-    static List<Input> sentAgain(long mission, String id, String commandId, HandlerContext context) {
+    public static List<Input> sentAgain(long mission, String id, String commandId, HandlerContext context) {
         return remember(mission, id, SENT.word + REASON + commandId, context);
     }
 
@@ -97,12 +97,12 @@ public enum CommandMemory {
     }
 
     /** Whether the command has had its result. */
-    boolean isOver() {
+    public boolean isOver() {
         return this == COMPLETED || this == ENDED;
     }
 
     /** Has the mission remember this of a command; nothing where the mission is over, as nothing is delivered again then. */
-    public List<Input> of(long mission, String commandId, HandlerContext context) {
+    public List<Input> remember(long mission, String commandId, HandlerContext context) {
         return remember(mission, commandId, word, context);
     }
 
