@@ -11,6 +11,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.AbstractButton;
+import javax.swing.JRootPane;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
@@ -32,11 +33,14 @@ import org.sami.ui.check.RealDisplay;
 import org.sami.ui.check.WindowRobot;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.Look;
+import org.sami.ui.net.NetView;
 
 /** What is in sight with 20 boats, 14 decisions and 50 messages. */
 @Tag("window")
 @TestInstance(Lifecycle.PER_CLASS)
 class BusyWindowTest {
+    private static final int LEAST_NET = 48; // a row of places with their names
+
     private BusySituation situation;
     private WindowInMemory shown;
 
@@ -70,10 +74,23 @@ class BusyWindowTest {
     void decisionsAndBoatsAreInSightAndNothingIsScrolledWithinWhatIsScrolled(
             int width, int height, int percent, int decisions, int boats) {
         size(width, height, percent);
-
         decisionsThatWaitAreInSightWithMissionPlanAgeAndTimeLeft(decisions);
         eachBoatHasOneLineWithItsColumns(width, percent, boats);
+        theNetOfTheMissionInFrontIsToBeSeen();
         nothingIsScrolledWithinWhatIsScrolled();
+    }
+
+    private void theNetOfTheMissionInFrontIsToBeSeen() {
+        int net = WindowRobot.ask(() -> {
+            front(find("missions", Container.class));
+            Container root = situation.window().frame().getRootPane();
+            Layout.layOut(root, root.getWidth(), root.getHeight());
+            Layout.layOut(root, root.getWidth(), root.getHeight());
+            return find("mission-net", NetView.class).getHeight();
+        });
+        assertThat(net)
+                .as("height of the net")
+                .isGreaterThanOrEqualTo(WindowRobot.<Integer>ask(() -> Look.px(LEAST_NET)));
     }
 
     private void decisionsThatWaitAreInSightWithMissionPlanAgeAndTimeLeft(int least) {
@@ -272,12 +289,12 @@ class BusyWindowTest {
         return (JScrollPane) SwingUtilities.getAncestorOfClass(JScrollPane.class, table);
     }
 
-    /** How many whole rows are seen of a table, in all that it lies in. */
+    /** How many whole rows are seen of a table, in all that it lies in; the frame may be smaller than what is laid out. */
     private int rowsInSight(String name) {
         JTable table = find(name, JTable.class);
         Rectangle seen = table.getBounds();
         seen.setLocation(0, 0);
-        for (Component at = table; at.getParent() != null; at = at.getParent()) {
+        for (Component at = table; !(at instanceof JRootPane); at = at.getParent()) {
             Rectangle parent = SwingUtilities.convertRectangle(
                     at.getParent(), new Rectangle(at.getParent().getSize()), table);
             seen = seen.intersection(parent);

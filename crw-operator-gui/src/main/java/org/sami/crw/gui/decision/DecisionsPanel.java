@@ -43,7 +43,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
     private static final int LOW = 230;
     private static final int LOW_WITH_QUEUE = 300;
     private static final int GAP = 8;
-    private static final int LEAST_ASKED = 88; // of what is filled in, with gaps and insets
+    private static final int LEAST_ASKED = 80; // of what is filled in, with gaps and insets
     private static final double MOST_WAITING = 0.5; // of the panel's height
 
     private final DecisionActions actions;

@@ -72,7 +72,7 @@ public final class OperatorPanels implements AutoCloseable {
                     .behind("alarms", "boats")
                     .behind("health", "boats")
                     .behind("log", "boats")
-                    .below("decisions", "missions", 0.7) // by themselves, so that what waits stays in sight
+                    .below("decisions", "missions", 0.62) // both what waits and the net of a mission are in sight
                     .behind("gantt", "missions")
                     .behind("boat", "missions") // the list of boats stays in sight
                     .behind("interrupts", "missions")
