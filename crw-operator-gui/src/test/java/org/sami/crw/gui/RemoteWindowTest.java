@@ -7,6 +7,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -55,6 +56,10 @@ class RemoteWindowTest {
           "outEdges": [{"id": "b", "transition": "yes", "place": "end",
             "requirements": [{"action": "take", "n": 1, "kind": "generic"}]}]}]}\
         """;
+
+    /** Commands of the window itself, by how their ids begin. */
+    private static final List<String> OF_THE_WINDOW =
+            List.of("panel-", "theme-", "map-", "net-", "gantt-", "picture-", "scale-", "arrangement-", "alarm-hear-");
 
     @TempDir
     private Path folder;
@@ -140,15 +145,38 @@ class RemoteWindowTest {
                             "allocation-give",
                             "fleet-release",
                             "fleet-release-confirm",
+                            "boat-release",
+                            "interrupt-confirm",
+                            "interrupt-withdraw",
+                            "interrupt-1",
+                            "interrupt-2",
+                            "interrupt-3",
+                            "interrupt-4",
+                            "interrupt-5",
+                            "interrupt-6",
+                            "interrupt-7",
+                            "interrupt-8",
                             "mission-start",
                             "mission-start-with",
                             "mission-abort",
                             "mission-complete",
+                            "mission-end-confirm",
+                            "mission-send-again",
                             "global-set",
                             "boat-connect",
+                            "boat-disconnect",
                             "boat-add-simulated",
                             "address-give-up",
                             "boat-by-hand",
+                            "boat-try-motor",
+                            "boat-take",
+                            "boat-hand-over",
+                            "boat-resend",
+                            "boat-clear-block",
+                            "boats-go",
+                            "boats-home",
+                            "boats-hold",
+                            "boats-give-back",
                             "boat-cancel-command",
                             "logs-fetch",
                             "boat-set-heading",
@@ -157,7 +185,75 @@ class RemoteWindowTest {
                             "boat-set-lost-link",
                             "boat-set-lost-link-wish",
                             "boat-set-wished-lost-link");
+            assertThat(window.commands().all())
+                    .filteredOn(command -> !command.whyNot().orElse("").startsWith("your role in this session, "))
+                    .extracting(Command::id)
+                    .as("what any role may do: a new command stands here, or has its right in RightsPolicy")
+                    .filteredOn(id -> OF_THE_WINDOW.stream().noneMatch(id::startsWith))
+                    .containsExactlyInAnyOrder(
+                            "fleet-stop",
+                            "boat-stop",
+                            "boats-near", // what only the session's own machine has
+                            "boat-pair",
+                            "phone-add",
+                            "keys",
+                            "boats-ground-station",
+                            "project-open",
+                            "globals-save",
+                            "fault-boats", // what is looked at
+                            "replay-open",
+                            "boat-picture",
+                            "boats-pictures",
+                            "plans-find",
+                            "mission-show-ended",
+                            "mission-end-leave",
+                            "mission-close",
+                            "mission-sub-mission",
+                            "decision-pictures",
+                            "decision-later",
+                            "decision-earlier",
+                            "decision-option-next",
+                            "decision-option-before",
+                            "decision-focus",
+                            "message-pictures",
+                            "alarm-mute",
+                            "alarm-sounds",
+                            "interrupt-leave",
+                            "rows-high",
+                            "command-search",
+                            "help-keys",
+                            "panels-reset",
+                            "end");
             assertThat(window.commands().get("fleet-stop").isEnabled()).isTrue();
+            assertThat(opened.end()).isZero();
+        }
+    }
+
+    @Test
+    void observerWhoPressesYesOrEnterAnswersNothingAndReadsWhy() throws Exception {
+        RealDisplay.assumed();
+        try (ServedSession served = ServedSession.ofProject(PROJECT, folder).with("anna", PersonRole.OBSERVER);
+                SessionServer server = served.serve()) {
+            served.begin();
+            OpenedRemoteWindow opened = new OpenedRemoteWindow(server, folder);
+            WindowRobot robot = new WindowRobot();
+            served.session()
+                    .start("talk", "talk", Map.of())
+                    .toCompletableFuture()
+                    .get(300, TimeUnit.SECONDS);
+            robot.untilShown("value-decision-yes");
+            AbstractButton yes = robot.find(AbstractButton.class, "value-decision-yes");
+            WindowRobot.ask(() -> {
+                yes.doClick();
+                return true;
+            });
+
+            robot.until(
+                    "why is said",
+                    () -> robot.find(WrappedText.class, "decision-problem")
+                            .getText()
+                            .equals("your role in this session, observer, may not answer decisions"));
+            assertThat(served.session().models().decisions().snapshot()).hasSize(1);
             assertThat(opened.end()).isZero();
         }
     }

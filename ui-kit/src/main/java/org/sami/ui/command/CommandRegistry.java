@@ -88,6 +88,11 @@ public final class CommandRegistry {
         return Optional.ofNullable(keys.get(key)).filter(command -> !command.isHidden());
     }
 
+    /** Why the policy keeps what a command of an id does from being done, also where something else than the command would do it; empty where it does not. */
+    public Optional<String> whyLocked(String id) {
+        return policy.whyLocked(id).map(words);
+    }
+
     /** Asks the policy again what is locked, as it may say otherwise now; what it hid stays hidden. */
     public void askPolicy() {
         for (Command command : all()) {

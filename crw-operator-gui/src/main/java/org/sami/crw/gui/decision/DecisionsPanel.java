@@ -46,6 +46,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
     private static final int LEAST_ASKED = 80; // of what is filled in, with gaps and insets
     private static final double MOST_WAITING = 0.5; // of the panel's height
 
+    private final CommandRegistry registry;
     private final DecisionActions actions;
     private final DecisionMap map;
     private final Interactions interactions;
@@ -79,6 +80,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
             ShownPictures pictures,
             UnaryOperator<String> words) {
         super(new BorderLayout());
+        this.registry = registry;
         this.actions = actions;
         this.map = map;
         this.interactions = interactions;
@@ -335,7 +337,9 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
         if (shown.isOver()) {
             return Optional.of("this decision was answered meanwhile");
         }
-        return giving.whyNot().or(() -> current.get().whyNot(actions));
+        return giving.whyNot()
+                .or(() -> registry.whyLocked("decision-answer")) // Enter, and yes and no, are no command
+                .or(() -> current.get().whyNot(actions));
     }
 
     @Override

@@ -51,10 +51,17 @@ final class InterruptPress {
     /** Why an interrupt cannot be pressed now; empty where it can. */
     Optional<String> whyNot(InterruptChoice choice) {
         return context.whyNotAct()
+                .or(() -> context.commands().whyLocked("interrupt-confirm"))
                 .or(() -> choice.asking().isPresent()
                         ? Optional.of(context.say("it asks already which boats it is for: answer that, or withdraw it"))
                         : Optional.empty())
                 .or(() -> choice.isEnabled() ? Optional.empty() : Optional.of(choice.whyNot()));
+    }
+
+    /** Whether a press can be withdrawn here, where it asks which boats it is for. */
+    boolean canWithdraw() {
+        return context.whyNotAct().isEmpty()
+                && context.commands().whyLocked("interrupt-withdraw").isEmpty();
     }
 
     /** Presses it, or asks to confirm it. */

@@ -58,7 +58,7 @@ final class InterruptRow extends JPanel {
         button.setToolTipText(
                 whyNot.map(why -> title + ": " + why).orElse(does + undo) + (key.isEmpty() ? "" : " (" + key + ")"));
         button.getAccessibleContext().setAccessibleName(title + whom);
-        withdraw.setVisible(now.asking().isPresent() && context.whyNotAct().isEmpty());
+        withdraw.setVisible(now.asking().isPresent() && press.canWithdraw());
         withdraw.setToolTipText("Withdraw " + title + ": nothing is done (" + withdrawKey + ")");
         withdraw.getAccessibleContext().setAccessibleName("Withdraw " + title);
     }

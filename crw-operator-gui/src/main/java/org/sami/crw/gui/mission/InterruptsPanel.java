@@ -50,6 +50,9 @@ public final class InterruptsPanel extends JPanel {
         add(column.inPane());
         add(confirm, BorderLayout.SOUTH);
         press.addListener(this::proposed);
+        context.commands()
+                .get("interrupt-confirm")
+                .addPropertyChangeListener(change -> showRows()); // its reason is another once the person's rights are
         context.models().interrupts().addListener(this::show);
         context.boats().addListener(() -> show(context.models().interrupts().snapshot()));
         show(context.models().interrupts().snapshot());
@@ -73,6 +76,15 @@ public final class InterruptsPanel extends JPanel {
 
     private static Key key(InterruptChoice choice) {
         return new Key(choice.mission(), choice.name());
+    }
+
+    private void showRows() {
+        context.models().interrupts().snapshot().forEach(choice -> {
+            InterruptRow row = rows.get(key(choice));
+            if (row != null) {
+                row.show(choice, commands.keyText(choice), commands.withdrawKey());
+            }
+        });
     }
 
     /** Buttons stay the same components as long as they are there: one that is rebuilt has no focus any longer, and no finger on it. */

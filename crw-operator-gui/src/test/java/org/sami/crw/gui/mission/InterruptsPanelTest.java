@@ -13,14 +13,19 @@ import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.gui.SessionWorld;
+import org.sami.crw.gui.context.OperatorContext;
 import org.sami.spn.model.Project;
 import org.sami.ui.check.Layout;
+import org.sami.ui.command.CommandPolicy;
+import org.sami.ui.command.CommandRegistry;
 
 /** Boats work, have their batteries swapped and come back, or are taken out for good: the buttons of that. */
 @Timeout(900)
@@ -91,6 +96,53 @@ class InterruptsPanelTest {
             }
             return places;
         });
+    }
+
+    @Test
+    void whoMayNotPressInterruptsSeesTheirButtonsLockedWithTheReasonUntilThatIsOtherwise() throws Exception {
+        AtomicBoolean may = new AtomicBoolean();
+        CommandPolicy rights = new CommandPolicy() {
+            @Override
+            public Optional<String> whyLocked(String id) {
+                return may.get() || !id.startsWith("interrupt-")
+                        ? Optional.empty()
+                        : Optional.of("observers only look");
+            }
+        };
+        try (SessionWorld world = world()) {
+            OperatorContext context = new OperatorContext(
+                    world.session,
+                    new CommandRegistry(rights),
+                    world.context.marks(),
+                    world.context.boats(),
+                    world.context.notices());
+            InterruptsPanel panel = laidOut(() -> new InterruptsPanel(context));
+            world.start("p");
+            until("boats work", () -> firings(world) == 1);
+            onEventThread(() -> {
+                context.boats().select(List.of("anna"));
+                return null;
+            });
+            until(
+                    "the button says why",
+                    () -> Layout.find(panel, "interrupt-battery-swap", JButton.class)
+                            .filter(button -> button.getToolTipText().contains("observers only look"))
+                            .isPresent());
+            assertThat(isEnabled(panel, "interrupt-battery-swap")).isFalse();
+
+            until(
+                    "it is offered",
+                    () -> world.context.models().interrupts().snapshot().stream()
+                            .anyMatch(choice -> choice.isEnabled()));
+            onEventThread(() -> {
+                may.set(true);
+                context.commands().askPolicy();
+                return null;
+            });
+
+            assertThat(onEventThread(() -> isEnabled(panel, "interrupt-battery-swap")))
+                    .isTrue();
+        }
     }
 
     @Test
