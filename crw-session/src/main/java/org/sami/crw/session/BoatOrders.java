@@ -27,6 +27,7 @@ final class BoatOrders {
     private final SettingReplies settings;
     private final OperatorLog log;
     private final Optional<RememberedBoats> remembered;
+    private volatile boolean drivingEnded;
 
     BoatOrders(
             FleetConnector connector,
@@ -90,6 +91,9 @@ final class BoatOrders {
                     new RefusedException("thrust and rudder are -1 to 1, not " + thrust + " and " + rudder));
         }
         return onBoat(boat, proxy -> {
+            if (drivingEnded) {
+                throw new RefusedException("the session ends: boats are driven by hand no longer");
+            }
             checkCommanding(proxy);
             if (!proxy.isTakenOver()) { // it is driven many times a second
                 log.add(Kind.BOAT, "drives " + boat + " by hand", boat);
@@ -97,6 +101,11 @@ final class BoatOrders {
             proxy.teleoperate(thrust, rudder);
             return null;
         });
+    }
+
+    /** From now on driving by hand is refused: whoever does so, as in a window elsewhere, would take a boat over from its last command. From any thread. */
+    void endDriving() {
+        drivingEnded = true;
     }
 
     /**

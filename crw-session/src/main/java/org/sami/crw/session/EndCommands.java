@@ -47,11 +47,10 @@ final class EndCommands {
         while (!fleet.onFleet(this::isDone) && System.nanoTime() < latest) {
             LockSupport.parkNanos(LOOK_NANOS);
         }
-        List<String> others = fleet.onFleet(this::others);
         last.run();
-        fleet.onFleet(boats -> {
+        List<String> others = fleet.onFleet(boats -> {
             fleet.watches().flushPoses();
-            return null;
+            return others(boats); // some confirm it while something else is waited for
         });
         fleet.listenNoLonger();
         return others;
@@ -66,6 +65,7 @@ final class EndCommands {
             List<BoatCommand> queued = new ArrayList<>(boat.commands().waiting());
             boat.commands().current().ifPresent(queued::add);
             queued.forEach(command -> boat.commands().withdraw(command.commandId())); // a block stays
+            boat.release(); // what it is to do would wait as long as it is driven by hand
             if (end == BoatsAtEnd.HOLD && boat.isCommanding()) {
                 boat.status().pose().map(BoatPose::position).ifPresent(here -> hold(boat, here));
             }

@@ -197,6 +197,11 @@ public final class Fleet implements FrontFleet {
         return orders.handOver(boat, clientId);
     }
 
+    /** From now on driving by hand is refused. From any thread. */
+    void endDriving() {
+        orders.endDriving();
+    }
+
     @Override
     public CompletionStage<Void> teleoperate(String boat, double thrust, double rudder) {
         return orders.teleoperate(boat, thrust, rudder);

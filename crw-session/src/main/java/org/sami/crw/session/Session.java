@@ -462,8 +462,8 @@ public final class Session implements FrontSession, AutoCloseable {
     }
 
     /**
-     * Sends the boats their last commands and waits until they execute them, 3 s at most; none where another base took the session over, whose boats they are. Afterwards this session commands no boat and records
-     * nothing about boats. Blocks: not for a thread of the session's own, nor a window's event thread.
+     * Sends the boats their last commands and waits until they execute them, 3 s at most; none where another base took the session over, whose boats they are. Boats that are driven by hand are given back
+     * before, and can be driven no longer, unless they are to go on. Afterwards this session commands no boat and records nothing about boats. Blocks: not for a thread of the session's own, nor a window's event thread.
      *
      * @return the boats that have not confirmed it, in words
      */
@@ -474,8 +474,11 @@ public final class Session implements FrontSession, AutoCloseable {
     /** The same; something is waited for when the boats have been commanded, while what they report still counts. */
     public List<String> leave(BoatsAtEnd end, Runnable last) {
         parts.domain.handlers().close();
-        boolean ofAnother = setup().journal().isTakenOver();
-        return new EndCommands(ofAnother ? BoatsAtEnd.GO_ON : end).giveTo(parts.fleet, last);
+        BoatsAtEnd then = setup().journal().isTakenOver() ? BoatsAtEnd.GO_ON : end;
+        if (then != BoatsAtEnd.GO_ON) {
+            fleet.endDriving();
+        }
+        return new EndCommands(then).giveTo(parts.fleet, last);
     }
 
     /**

@@ -1,6 +1,7 @@
 package org.sami.crw.sim.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -72,6 +73,27 @@ class BoatsAtEndTest {
 
             assertThat(asked).hasValue(1);
             Await.until("anna goes on doing it", () -> does(session, wanted));
+        }
+    }
+
+    /** Another front, such as a window elsewhere, may go on driving. */
+    @ParameterizedTest
+    @CsvSource({"STOP, STOPPED", "HOLD, HOLD"})
+    void boatThatIsDrivenByHandDoesWhatIsChosenAndIsDrivenNoLonger(BoatsAtEnd end, BoatMode wanted) throws Exception {
+        try (Session session = world.opened(TestSession.library("clv"), folder.resolve("session.journal"))) {
+            session.begin();
+            TestSession.get(session.fleet().connect(TestSession.address(world.boat("anna"))));
+            TestSession.until("anna has joined", session, view -> view.proxies().contains("anna"));
+            Await.until("anna says where she is", () -> anna(session).pose().isPresent());
+            TestSession.get(session.fleet().teleoperate("anna", 0.5, 0));
+            Await.until("anna is driven", () -> does(session, BoatMode.TELEOPERATION));
+
+            Runnable last = () -> assertThatThrownBy(
+                            () -> TestSession.get(session.fleet().teleoperate("anna", 0.5, 0)))
+                    .hasMessageContaining("the session ends");
+            assertThat(session.leave(end, last)).isEmpty();
+
+            Await.until("anna does it", () -> does(session, wanted));
         }
     }
 
