@@ -3,6 +3,7 @@ package org.sami.crw.gui.mission;
 import java.awt.BorderLayout;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,6 +11,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -36,6 +38,7 @@ import org.sami.ui.look.WidthTrackingPanel;
 import org.sami.ui.sheet.FileSheet;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
+import org.sami.ui.value.Entry;
 import org.sami.ui.value.ValueEditor;
 import org.sami.ui.value.ValueEditors;
 import org.sami.ui.value.ValueField;
@@ -43,7 +46,7 @@ import org.sami.ui.value.WrappedText;
 
 /**
  * The global variables of the project while missions run: each with the editor of its type. A new value counts for missions at once, and goes
- * to the project's file when that is asked for.
+ * to the project's file when that is asked for. What is filled in and not set stays while another one is shown.
  */
 final class GlobalsPanel extends JPanel {
     private final OperatorContext context;
@@ -58,11 +61,17 @@ final class GlobalsPanel extends JPanel {
     private final Command save;
     private Optional<GlobalsState> state = Optional.empty();
     private Optional<Edited> edited = Optional.empty();
+    private final Map<String, Edited> left =
+            new LinkedHashMap<>(); // filled in and not set when another row was selected
     private Map<String, Value> saved = Map.of();
     private boolean asking;
 
     /** A global as it is listed. */
-    private record Row(VariableSpec global, String value, boolean differs) {}
+    private record Row(VariableSpec global, String value, boolean differs, boolean unset) {
+        String words() {
+            return (differs ? "● " : "") + value + (unset ? ", filled in and not set" : "");
+        }
+    }
 
     /** The global that is edited. */
     private record Edited(VariableSpec global, ValueEditor editor, Optional<Value> shown, JudgedDraft judged) {}
@@ -81,7 +90,7 @@ final class GlobalsPanel extends JPanel {
                         RowColumn.<Row>words(
                                         "Variable", 130, row -> row.global().name())
                                 .colored(row -> row.differs() ? SemanticColor.ACCENT : SemanticColor.TEXT),
-                        RowColumn.words("Value now", 0, row -> (row.differs() ? "● " : "") + row.value())));
+                        RowColumn.words("Value now", 0, Row::words)));
         table.addSelectionListener(this::edit);
         set = context.commands()
                 .add(new Command("global-set", "Set the variable", this::set)
@@ -147,11 +156,13 @@ final class GlobalsPanel extends JPanel {
         }
         GlobalsState now = told.withSaved(saved);
         state = Optional.of(now);
+        left.values().removeIf(one -> !now.project().globals().contains(one.global()) || !isUnset(one));
         table.show(now.project().globals().stream()
                 .map(global -> new Row(
                         global,
                         now.value(global).map(EngineText::value).orElse("has no value yet"),
-                        now.differs(global)))
+                        now.differs(global),
+                        left.containsKey(global.name())))
                 .toList());
         title.setText(
                 now.differing() == 0
@@ -199,22 +210,50 @@ final class GlobalsPanel extends JPanel {
         if (edited.map(Edited::global).equals(Optional.of(global))) {
             return;
         }
-        ValueEditor editor = editors.editor(ValueField.of("global." + global.name(), global.type()));
+        edited.filter(this::isUnset).ifPresent(one -> left.put(one.global().name(), one));
         Optional<Value> value = state.get().value(global);
+        Edited next = Optional.ofNullable(left.remove(global.name()))
+                .map(before -> new Edited(global, before.editor(), value, before.judged()))
+                .orElseGet(() -> begun(global, value));
+        edited = Optional.of(next);
+        body.removeAll();
+        body.add(next.editor().component());
+        body.revalidate();
+        body.repaint();
+        tell(state.get(), global, next.editor(), next.judged());
+        reload(); // the list says what is filled in and not set
+        refreshCommands();
+    }
+
+    private Edited begun(VariableSpec global, Optional<Value> value) {
+        ValueEditor editor = editors.editor(ValueField.of("global." + global.name(), global.type()));
         value.ifPresent(editor::show);
         editor.setEditable(context.whyNotAct().isEmpty());
         JudgedDraft judged = judged(global, editor);
         editor.addListener(() -> {
             state.ifPresent(now -> tell(now, global, editor, judged));
-            set.refresh();
+            refreshCommands();
         });
-        edited = Optional.of(new Edited(global, editor, value, judged));
-        body.removeAll();
-        body.add(editor.component());
-        body.revalidate();
-        body.repaint();
-        tell(state.get(), global, editor, judged);
-        refreshCommands();
+        return new Edited(global, editor, value, judged);
+    }
+
+    /** Whether the operator has filled in something else than the value that the global has. */
+    private boolean isUnset(Edited one) {
+        Entry entry = one.editor().entry();
+        boolean something = entry.value().isPresent() || (entry instanceof Entry.Missing missing && missing.wrong());
+        return one.editor().isTouched()
+                && something
+                && !entry.value().equals(state.flatMap(now -> now.value(one.global())));
+    }
+
+    /** The names of the globals for which something is filled in that is not set, in words; empty text where there is none. */
+    private String unset() {
+        return Stream.concat(left.values().stream(), edited.stream())
+                .filter(this::isUnset)
+                .map(one -> one.global().name())
+                .distinct()
+                .sorted()
+                .collect(Collectors.joining(", "));
     }
 
     /** The judgement of a value before it is set; in a replay nothing is set. */
@@ -275,7 +314,10 @@ final class GlobalsPanel extends JPanel {
     private Optional<String> whyNotSave() {
         return state.map(GlobalsState::differing).orElse(0L) > 0
                 ? context.whyNotHere()
-                : Optional.of("all globals are as the project has them");
+                : Optional.of(
+                        unset().isEmpty()
+                                ? "all globals are as the project has them"
+                                : "what is filled in for " + unset() + " is not set yet: set the variable first");
     }
 
     private void save() {
@@ -292,6 +334,7 @@ final class GlobalsPanel extends JPanel {
     /** Saves to the project's file; makes one where the project has none yet. */
     void save(Path to) {
         Map<String, Value> values = state.map(GlobalsState::values).orElse(Map.of());
+        String notSet = unset().isEmpty() ? "" : "; not saved: what is filled in for " + unset() + " and not set";
         boolean isNew = file.path().isEmpty() && !Files.exists(to);
         CompletionStage<String> written = isNew
                 ? context.here().project().save(to).thenApply(done -> "The project is in " + to + " now")
@@ -309,7 +352,7 @@ final class GlobalsPanel extends JPanel {
                 file.set(to);
                 saved = values;
                 reload();
-                context.notices().show(text);
+                context.notices().show(text + notSet);
             } else {
                 context.notices().refused(RefusedException.reason(fault));
             }

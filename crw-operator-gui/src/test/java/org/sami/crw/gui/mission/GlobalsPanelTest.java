@@ -10,6 +10,8 @@ import static org.sami.crw.gui.SessionWorld.until;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -79,6 +81,53 @@ class GlobalsPanelTest {
             until("nothing is left to save", () -> !world.whyNot("globals-save").isEmpty());
             assertThat(initial(file)).contains(new RealValue(9));
             assertThat(Files.readString(file)).contains("\"reads\"");
+        }
+    }
+
+    @Test
+    void whatIsFilledInStaysWhileAnotherVariableIsShown() throws Exception {
+        try (SessionWorld world = new SessionWorld(PROJECT)) {
+            GlobalsPanel panel = panel(world, Optional.empty());
+            select(panel, "@spacing");
+            type(panel, "value-global-spacing-text", "7.5");
+
+            select(panel, "@home");
+            until(
+                    "the list says so",
+                    () -> rows(panel, "globals-table").contains("@spacing|5.0, filled in and not set"));
+            assertThat(world.whyNot("globals-save"))
+                    .isEqualTo("what is filled in for @spacing is not set yet: set the variable first");
+
+            select(panel, "@spacing");
+            assertThat(text(panel, "value-global-spacing-text")).isEqualTo("7.5");
+            world.run("global-set");
+            until("it is set", () -> rows(panel, "globals-table").contains("@spacing|● 7.5\n"));
+        }
+    }
+
+    @Test
+    void savingSaysWhatItLeavesOutAsItIsNotSet() throws Exception {
+        Path file = folder.resolve("lake.json");
+        List<String> told = new ArrayList<>();
+        try (SessionWorld world = new SessionWorld(PROJECT)) {
+            GlobalsPanel panel = panel(world, Optional.empty());
+            onEventThread(() -> {
+                world.context.notices().addListener(notice -> told.add(notice.text()));
+                return null;
+            });
+            set(world, panel, "7.5");
+            select(panel, "@home");
+            type(panel, "value-global-home-text", "45.4, 10.9");
+            select(panel, "@spacing");
+            onEventThread(() -> {
+                panel.save(file);
+                return null;
+            });
+
+            until("it is saved", () -> told.stream().anyMatch(text -> text.contains(file.toString())));
+            assertThat(onEventThread(() -> told.get(told.size() - 1)))
+                    .endsWith("; not saved: what is filled in for @home and not set");
+            assertThat(initial(file)).contains(new RealValue(7.5));
         }
     }
 
