@@ -1,7 +1,9 @@
 package org.sami.crw.gui.mission;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.GraphicsEnvironment;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.util.HashMap;
@@ -15,6 +17,9 @@ import java.util.stream.Collectors;
 import javax.swing.Icon;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
+import org.jspecify.annotations.Nullable;
 import org.sami.crw.gui.context.LoadedProject;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.mission.MissionSnapshot;
@@ -29,7 +34,8 @@ import org.sami.ui.net.NetView;
 import org.sami.ui.value.ValueEditors;
 
 /**
- * The plans that can be started, a tab for each mission that runs, and the list of those that have ended. A mission that ends leaves the tabs, but
+ * The plans that can be started, a tab for each mission that runs, and the list of those that have ended. The tab of a mission that begins comes to the front, unless the
+ * operator writes in the one that is there or is about to end its mission, and has the keyboard's focus only where that was in these tabs. A mission that ends leaves the tabs, but
  * for the one that is looked at, which does so later; no tab moves while the pointer is on the tabs. On the event thread.
  */
 public final class MissionMonitor extends JPanel {
@@ -40,6 +46,7 @@ public final class MissionMonitor extends JPanel {
     private final GlobalsPanel globals;
     private final EndedMissionsPanel over;
     private final Set<Long> again = new HashSet<>(); // ended ones that the operator has shown again
+    private final Set<Long> begunHere = new HashSet<>(); // of which no model has told yet
     private final Map<Long, State> states = new HashMap<>(); // as the icons of the tabs say
 
     private record State(Optional<Outcome> outcome, boolean stuck) {
@@ -71,6 +78,7 @@ public final class MissionMonitor extends JPanel {
         tabs.addTab("Ended", Icons.small("complete"), over);
         add(tabs);
         addCommands();
+        starter.onStarted(this::startedHere);
         context.models().missions().addListener(this::show);
         context.models().gantt().addListener(missions -> showPhases());
         context.models().health().addListener(health -> tabChanged()); // no mission goes on while the engine does not
@@ -307,9 +315,51 @@ public final class MissionMonitor extends JPanel {
                 PlainTextUI.of(title),
                 icon(mission),
                 view); // with its icon: a tab that widens later is cut at the edge
-        tabs.setSelectedComponent(view);
-        view.focusFirst();
+        if (begunHere.remove(mission.id())) {
+            turnTo(view);
+        } else if (!isInUse()) {
+            boolean focused = hasFocus(tabs);
+            tabs.setSelectedComponent(view);
+            if (focused) {
+                view.focusFirst();
+            }
+        }
         return view;
+    }
+
+    /** The operator has begun it in this window. */
+    private void startedHere(long mission) {
+        if (views.containsKey(mission)) {
+            turnTo(views.get(mission));
+        } else {
+            begunHere.add(mission);
+        }
+    }
+
+    private void turnTo(MissionView view) {
+        Component owner = focusOwner();
+        boolean free = owner == null || !owner.isShowing() || hasFocus(tabs); // what it was begun with may be gone
+        tabs.setSelectedComponent(view);
+        if (free) {
+            view.focusFirst();
+        }
+    }
+
+    /** Whether the operator writes in the tab in front, draws in it, or is about to end its mission: it must not go away then. */
+    private boolean isInUse() {
+        return hasFocus(tabs)
+                && (focusOwner() instanceof JTextComponent
+                        || tabs.getSelectedComponent() == globals
+                        || ending().isPresent());
+    }
+
+    private static boolean hasFocus(Component part) {
+        Component owner = focusOwner();
+        return owner != null && SwingUtilities.isDescendingFrom(owner, part);
+    }
+
+    private static @Nullable Component focusOwner() {
+        return KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
     }
 
     private static Icon icon(MissionSnapshot mission) {

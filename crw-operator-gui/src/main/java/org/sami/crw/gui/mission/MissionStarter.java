@@ -6,7 +6,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import java.util.function.LongConsumer;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import org.sami.crw.gui.context.OperatorContext;
@@ -29,6 +31,7 @@ public final class MissionStarter {
     private final WindowSettings settings;
     private final ValueEditors editors;
     private final Consumer<List<Value>> preview;
+    private LongConsumer started = mission -> {};
 
     /**
      * A starter.
@@ -45,15 +48,20 @@ public final class MissionStarter {
         this.preview = preview;
     }
 
+    /** Calls a listener with the number of each mission that was started with it. */
+    void onStarted(LongConsumer listener) {
+        started = listener;
+    }
+
     /** Starts a mission of a plan; what it asks is asked as it goes. */
     public void start(Plan plan) {
         start(plan, Map.of());
     }
 
     private void start(Plan plan, Map<String, Value> values) {
-        context.tell(
-                context.session().start(plan.id(), plan.title(), values),
-                plan.title() + " has begun" + DisabledParts.remark(plan));
+        CompletionStage<Long> begun = context.session().start(plan.id(), plan.title(), values);
+        begun.thenAccept(mission -> started.accept(mission));
+        context.tell(begun, plan.title() + " has begun" + DisabledParts.remark(plan));
     }
 
     /** Asks for values beforehand, those of the last time offered, and starts. */
