@@ -68,6 +68,7 @@ class ExploreWindowTest {
         untilCosts(robot, window, "5 boats");
         robot.press(VK_ENTER); // leads back to the answer
         robot.untilFocused("decision-answer");
+        ReadQuestion.await(robot);
         robot.press(VK_ENTER);
 
         robot.click("value-decision-none-chosen");
@@ -81,6 +82,7 @@ class ExploreWindowTest {
         clickAt(robot, map, frame, List.of(position(window, "bert")));
         robot.untilSaid("value-decision-count", "2 of 5");
         untilCosts(robot, window, "2 boats");
+        ReadQuestion.await(robot);
         robot.press(VK_ENTER, VK_ALT);
 
         robot.until("two boats are under way", () -> underWay(window) == 2);

@@ -86,12 +86,14 @@ class KeyboardWindowTest {
             robot.type(corner);
             robot.press(VK_ENTER);
         }
+        ReadQuestion.await(robot);
         robot.press(VK_ENTER, VK_ALT);
 
         robot.untilShown("value-decision-option-3");
         robot.press(VK_D, VK_CONTROL);
         robot.press(VK_3); // all are proposed
         robot.untilSaid("value-decision-count", "2 of 3");
+        ReadQuestion.await(robot);
         robot.press(VK_ENTER, VK_ALT);
         robot.until(
                 "two boats are under way",
@@ -104,6 +106,7 @@ class KeyboardWindowTest {
         robot.untilFocused("interrupt-team-avoid-boat");
         robot.press(VK_SPACE);
         robot.untilSaid("decisions-count", "1 decision");
+        ReadQuestion.await(robot);
         robot.press(VK_ENTER, VK_ALT);
         robot.until("the vessel is avoided", () -> missions(window).size() == 2);
     }

@@ -34,6 +34,10 @@ final class LossyWindow {
             attempt(done++);
             robot.untilSaid("missions-count", "1 mission");
             robot.untilShown(ANSWER);
+            JLabel age = robot.find(JLabel.class, "decision-age");
+            robot.until(
+                    "it can be read, or the connection is lost",
+                    () -> ReadQuestion.isPast(age) || hasNoDecision() || !isConnected());
             robot.click(ANSWER);
             robot.until("it is answered, or the connection lost", () -> hasNoDecision() || !isConnected());
         }

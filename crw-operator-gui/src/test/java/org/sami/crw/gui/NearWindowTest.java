@@ -126,9 +126,11 @@ class NearWindowTest {
         untilCosts("20 boats");
         key(VK_ENTER); // leads back to the answer
         robot.untilFocused("decision-answer");
+        ReadQuestion.await(robot);
         key(VK_ENTER);
         robot.untilSaid("value-decision-count", "20 of 20"); // all are offered
         untilCosts("20 boats");
+        ReadQuestion.await(robot);
         key(VK_ENTER, VK_ALT);
 
         robot.until("twenty boats are under way", WITHIN_S, () -> underWay() == BOATS);

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.LongSupplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
@@ -38,6 +39,9 @@ import org.sami.ui.value.WrappedText;
  * before it is given. On the event thread.
  */
 public final class DecisionsPanel extends JPanel implements DecisionSteps {
+    /** What is said of a press that came before its question could be read. */
+    static final String UNREAD = "Nothing was answered: this question has just come. Press again";
+
     private static final String NONE = "none";
     private static final String ONE = "one";
     private static final int LOW = 230;
@@ -65,11 +69,18 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
     private final DecisionCommands commands;
     private final DecisionPen pen;
     private final JudgementView judgement = new JudgementView("decision");
-    private final PressTimes presses = new PressTimes(System::currentTimeMillis);
+    private final PressTimes presses;
     private final Timer settle = new Timer((int) ShownDecision.REST_MILLIS + 10, event -> settle());
     private Optional<DecisionView> current = Optional.empty();
     private final AnswerGiving giving;
+    private boolean unread; // the last press came before the question could be read
+    private boolean chosen; // the operator turns to another question
 
+    /**
+     * Shows what waits.
+     *
+     * @param wallMillis the clock by which the display gives presses their times
+     */
     DecisionsPanel(
             CommandRegistry registry,
             DecisionActions actions,
@@ -78,7 +89,8 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
             ValueEditors editors,
             DecisionMap map,
             ShownPictures pictures,
-            UnaryOperator<String> words) {
+            UnaryOperator<String> words,
+            LongSupplier wallMillis) {
         super(new BorderLayout());
         this.registry = registry;
         this.actions = actions;
@@ -86,6 +98,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
         this.interactions = interactions;
         this.choice = choice;
         this.editors = editors;
+        presses = new PressTimes(wallMillis);
         strip = new DecisionPictures(registry, pictures);
         shown = new ShownDecision(() -> System.nanoTime() / 1_000_000);
         giving = new AnswerGiving(actions, this::given, this::refresh);
@@ -247,7 +260,8 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
     private void turnTo(Optional<PendingDecision> pending) {
         boolean focused = DecisionKeys.hasFocusIn(this);
         giving.forget();
-        presses.turned();
+        presses.turned(!chosen);
+        unread = false;
         pen.lay();
         body.removeAll();
         current = pending.map(one -> views.computeIfAbsent(one.decision().id(), id -> view(one)));
@@ -285,6 +299,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
                 attend();
             }
             giving.forget();
+            unread = false;
             view.refused("");
             view.judged().look();
             map.show(view.decision(), view.editor().values());
@@ -315,7 +330,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
         judgement.show(judged);
         String refused = current.map(DecisionView::refusal).orElse("");
         String refusal = shown.isOver() ? "This decision was answered meanwhile" : refused;
-        String text = refusal.isEmpty() ? whyNot().orElseGet(() -> giving.first(judged)) : refusal;
+        String text = refusal.isEmpty() ? whyNot().orElseGet(() -> unread ? UNREAD : giving.first(judged)) : refusal;
         bar.tell(
                 text,
                 !refused.isEmpty() || judged.refusal().filter(text::equals).isPresent());
@@ -401,7 +416,8 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
 
     @Override
     public void answer() {
-        if (whyNot().isEmpty() && !presses.isHandledLate()) {
+        unread = presses.isHandledUnread();
+        if (whyNot().isEmpty() && !unread) {
             attend();
             giving.press(current.orElseThrow());
             commands.refresh();
@@ -411,11 +427,13 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
 
     @Override
     public void refuse() {
-        if (!presses.isHandledLate()) {
+        unread = presses.isHandledUnread();
+        if (!unread) {
             attend();
             giving.give(current.orElseThrow(), new Answer.Rejected());
             commands.refresh();
         }
+        tellProblem();
     }
 
     @Override
@@ -426,7 +444,7 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
     @Override
     public void browse(int step) {
         shown.browse(step);
-        refresh();
+        turnToChosen();
     }
 
     @Override
@@ -446,7 +464,16 @@ public final class DecisionsPanel extends JPanel implements DecisionSteps {
 
     private void select(long decision) {
         shown.select(decision);
-        refresh();
+        turnToChosen();
+    }
+
+    private void turnToChosen() {
+        chosen = true;
+        try {
+            refresh();
+        } finally {
+            chosen = false;
+        }
     }
 
     @Override

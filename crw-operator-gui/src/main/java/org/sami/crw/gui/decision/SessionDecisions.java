@@ -3,6 +3,7 @@ package org.sami.crw.gui.decision;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.function.LongSupplier;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.gui.picture.ShownPictures;
 import org.sami.crw.gui.value.SessionEditors;
@@ -34,6 +35,16 @@ public final class SessionDecisions {
             DecisionMap map,
             MapMaker maps,
             ShownPictures pictures) {
+        return panel(context, components, map, maps, pictures, System::currentTimeMillis);
+    }
+
+    static DecisionsPanel panel(
+            OperatorContext context,
+            ComponentLibrary components,
+            DecisionMap map,
+            MapMaker maps,
+            ShownPictures pictures,
+            LongSupplier wallMillis) {
         ComponentChoice choice =
                 new ComponentChoice(components, context.vocabulary().types());
         ValueEditors editors = SessionEditors.of(context, choice, maps);
@@ -45,7 +56,8 @@ public final class SessionDecisions {
                 editors,
                 map,
                 pictures,
-                context::say);
+                context::say,
+                wallMillis);
         context.models().decisions().addListener(panel::queue);
         panel.queue(context.models().decisions().snapshot());
         return panel;

@@ -114,6 +114,48 @@ class DecisionsPanelTest {
         }
     }
 
+    @Test
+    void pressWithinHalfASecondOfANewQuestionAnswersNothingAndSaysSo() throws Exception {
+        try (PanelWorld world = new PanelWorld("clv", "anna")) {
+            JLabel key = new JLabel();
+            key.addMouseListener(new MouseAdapter() {
+                @Override
+                public void mousePressed(MouseEvent press) {
+                    world.panel.answer();
+                }
+            });
+            world.until(
+                    "boats are asked for",
+                    () -> world.find("value-decision-option-1", AbstractButton.class)
+                            .isPresent());
+            world.session.abortAll();
+            world.until(
+                    "nothing waits",
+                    () -> world.find("decisions-empty", JTextArea.class).isPresent());
+            world.wallMillis = () -> 1_000_000;
+            world.session.start("clv", "second", Map.of()).toCompletableFuture().join();
+            world.until("it is asked again", () -> world.text("decision-asker").startsWith("second"));
+            assertThat(world.enabled("decision-answer")).as("all are proposed").isTrue();
+
+            EventQueue queue = Toolkit.getDefaultToolkit().getSystemEventQueue();
+            queue.postEvent(press(key, 1_000_499));
+            assertThat(world.text("decision-problem")).isEqualTo(DecisionsPanel.UNREAD);
+            assertThat(world.enabled("decision-answer"))
+                    .as("no answer is under way")
+                    .isTrue();
+
+            queue.postEvent(press(key, 1_000_500));
+            world.until(
+                    "a press after that answers",
+                    () -> world.context.models().decisions().snapshot().stream()
+                            .anyMatch(one -> one.decision().question() instanceof Question.FillIn));
+        }
+    }
+
+    private static MouseEvent press(Component at, long whenMillis) {
+        return new MouseEvent(at, MouseEvent.MOUSE_PRESSED, whenMillis, 0, 0, 0, 1, false);
+    }
+
     /** A window that was busy handles the second of two quick presses when the next question is there. */
     @Test
     void pressThatWasMadeBeforeAQuestionWasShownAnswersNothing() throws Exception {
@@ -134,7 +176,7 @@ class DecisionsPanelTest {
 
             EventQueue queue = Toolkit.getDefaultToolkit().getSystemEventQueue();
             queue.postEvent(early);
-            assertThat(world.text("decision-problem")).isEmpty();
+            assertThat(world.text("decision-problem")).isEqualTo(DecisionsPanel.UNREAD);
             assertThat(world.enabled("decision-answer"))
                     .as("no answer is under way")
                     .isTrue();

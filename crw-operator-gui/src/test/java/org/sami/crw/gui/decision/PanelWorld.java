@@ -7,6 +7,7 @@ import java.awt.Container;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
 import javax.swing.AbstractButton;
 import javax.swing.text.JTextComponent;
 import org.sami.boat.link.SteadyClock;
@@ -39,6 +40,7 @@ final class PanelWorld implements AutoCloseable {
     final DecisionsPanel panel;
     final PenMap map = new PenMap();
     final SlowableClock clock = new SlowableClock();
+    volatile LongSupplier wallMillis = System::currentTimeMillis;
 
     PanelWorld(String plan, String... boats) throws Exception {
         SimulatedBoatsOnTcp simulated = new SimulatedBoatsOnTcp(1);
@@ -51,8 +53,13 @@ final class PanelWorld implements AutoCloseable {
                         .with(runtime));
         context = new OperatorContext(
                 session, new CommandRegistry(), new ProxyMarks(), new BoatSelection(), new Notices());
-        panel = onEventThread(() ->
-                SessionDecisions.panel(context, LIBRARY.components(), map, MapMaker.PLAIN, new ShownPictures(context)));
+        panel = onEventThread(() -> SessionDecisions.panel(
+                context,
+                LIBRARY.components(),
+                map,
+                MapMaker.PLAIN,
+                new ShownPictures(context),
+                () -> wallMillis.getAsLong()));
         session.begin();
         for (String boat : boats) {
             session.fleet()

@@ -10,7 +10,7 @@ class PressTimesTest {
 
     @Test
     void pressBeforeAQuestionWasShownIsNotMeantForIt() {
-        presses.turned();
+        presses.turned(true);
 
         assertThat(presses.isEarlier(49_999)).isTrue();
         assertThat(presses.isEarlier(50_000)).isFalse();
@@ -19,21 +19,40 @@ class PressTimesTest {
 
     @Test
     void pressIsMeantForTheQuestionThatWasThereBefore() {
-        presses.turned();
+        presses.turned(true);
         now = 60_000;
 
         assertThat(presses.isEarlier(59_000)).isFalse();
     }
 
     @Test
+    void pressWithinHalfASecondOfAQuestionThatCameByItselfDoesNotAnswerIt() {
+        presses.turned(true);
+
+        assertThat(presses.isUnread(49_999)).isTrue();
+        assertThat(presses.isUnread(50_499)).isTrue();
+        assertThat(presses.isUnread(50_500)).isFalse();
+    }
+
+    @Test
+    void questionThatTheOperatorTurnedToIsAnsweredAtOnce() {
+        presses.turned(false);
+
+        assertThat(presses.isUnread(49_999)).isTrue();
+        assertThat(presses.isUnread(50_000)).isFalse();
+    }
+
+    @Test
     void clockThatWasSetBackRefusesNoPress() {
-        presses.turned();
+        presses.turned(true);
 
         assertThat(presses.isEarlier(20_000)).isFalse();
+        assertThat(presses.isUnread(20_000)).isFalse();
     }
 
     @Test
     void pressCountsWhereNoQuestionWasShown() {
         assertThat(presses.isEarlier(0)).isFalse();
+        assertThat(presses.isUnread(0)).isFalse();
     }
 }

@@ -11,6 +11,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import javax.swing.AbstractButton;
+import org.sami.crw.gui.ReadQuestion;
 import org.sami.spn.protocol.Question;
 
 /** What operators do wrong with the answer to a question. */
@@ -101,6 +102,7 @@ final class AnswerMistakes {
     }
 
     private static void answer(RobotWorld world) {
+        ReadQuestion.await(world.robot);
         world.robot.press(VK_ENTER, VK_ALT);
     }
 
@@ -188,6 +190,7 @@ final class AnswerMistakes {
     private static void answerTwice(RobotWorld world) throws Exception {
         long mission = draw(world, SMALL);
         world.until("it can be answered", () -> world.isOn("decision-answer"));
+        ReadQuestion.await(world.robot);
         world.robot.pressTwice(VK_ENTER, VK_ALT);
         world.until("it asks for boats", () -> asks(world, mission, Question.ChooseProxies.class));
         world.says("value-decision-count", "5 of 5 chosen");
@@ -198,6 +201,7 @@ final class AnswerMistakes {
         long mission = draw(world, SMALL);
         world.until("it can be answered", () -> world.isOn("decision-answer"));
         AbstractButton button = world.robot.find(AbstractButton.class, "decision-answer");
+        ReadQuestion.await(world.robot);
         world.robot.doubleClickAt(button, 12, 12);
         world.until("it asks for boats", () -> asks(world, mission, Question.ChooseProxies.class));
         world.says("value-decision-count", "5 of 5 chosen");
