@@ -7,6 +7,7 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
@@ -39,11 +40,12 @@ final class FocusSeen {
     void look() {
         for (JComponent part : WindowRobot.ask(this::parts)) {
             String name = part.getClass().getSimpleName() + " " + part.getName();
-            if (looked.add(name) && WindowRobot.ask(part::isShowing)) {
-                BufferedImage before = picture(part);
+            Optional<BufferedImage> before = looked.contains(name) ? Optional.empty() : unfocused(part);
+            if (before.isPresent()) {
+                looked.add(name);
                 WindowRobot.ask(part::requestFocusInWindow);
                 robot.until(name + " has the focus", 10, () -> part.isFocusOwner() || !part.isShowing());
-                if (differing(before, picture(part)) < LEAST_PIXELS && WindowRobot.ask(part::isFocusOwner)) {
+                if (differing(before.get(), picture(part)) < LEAST_PIXELS && WindowRobot.ask(part::isFocusOwner)) {
                     unseen.add(name);
                 }
             }
@@ -67,6 +69,12 @@ final class FocusSeen {
                 collect(part, parts);
             }
         }
+    }
+
+    /** Its picture without the focus; empty where it is not seen, or has got the focus meanwhile from a part that went away: another look comes to it. */
+    private Optional<BufferedImage> unfocused(JComponent part) {
+        return WindowRobot.ask(
+                () -> part.isShowing() && !part.isFocusOwner() ? Optional.of(picture(part)) : Optional.empty());
     }
 
     private BufferedImage picture(JComponent part) {
