@@ -88,6 +88,8 @@ class MixedFleetTest {
 
             assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
             assertThat(ran.out() + ran.err()).contains("without a link mav9 returns to its home, as it has confirmed");
+            assertThat(ran.out()).contains("   " + vehicle.address() + "/9");
+            assertThat(ran.out() + ran.err()).contains("2 locations for one boat are more than one each");
             assertThat(vehicle.parameter("FS_GCS_ENABLE")).isEqualTo(1);
             assertThat(vehicle.parameter("FS_ACTION")).isEqualTo(3);
         }

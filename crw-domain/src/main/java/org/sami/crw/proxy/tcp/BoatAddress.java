@@ -87,6 +87,11 @@ public record BoatAddress(String host, int port) {
         return new BoatAddress(address.getHostString(), address.getPort());
     }
 
+    /** Whether a text is meant as an address on a MAVLink link; what follows is not looked at. */
+    public static boolean isOnMavlink(String text) {
+        return VehicleAddress.isOne(text);
+    }
+
     /** Whether it stands for all vehicles that are heard on its link. */
     public boolean isOfEveryVehicle() {
         return VehicleAddress.isOne(host) && port == VehicleAddress.EVERY_VEHICLE;

@@ -35,7 +35,8 @@ public final class OptimalAssignment extends AllocationAlgorithm {
         int works = possible.work().size();
         int boats = possible.boats().size();
         if (works > boats) {
-            return Optional.of(works + " locations for " + boats + " boats are more than one each");
+            return Optional.of(works + " locations for " + (boats == 1 ? "one boat" : boats + " boats")
+                    + " are more than one each");
         }
         return assign(possible, new TravelCosts(possible)).isPresent()
                 ? Optional.empty()

@@ -3,6 +3,7 @@ package org.sami.crw.sim.tcp;
 import java.util.List;
 import java.util.Optional;
 import org.sami.boat.server.vehicle.LocalFrame;
+import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.report.LinkResult;
 import org.sami.crw.sim.run.record.BoatState;
 import org.sami.session.record.FleetHistory;
@@ -48,11 +49,16 @@ final class RunBoats {
                 boat.report().position().altM());
     }
 
+    /** Addresses of other makers' vehicles name their kind of link themselves. */
+    private static String way(String address) {
+        return BoatAddress.isOnMavlink(address) ? address : ("tcp " + address).strip();
+    }
+
     /** How a boat's link went. */
     LinkResult link(String boat) {
         FleetHistory.Link link = status.link(boat);
         return new LinkResult(
-                ("tcp " + link.address()).strip(),
+                way(link.address()),
                 link.bootId(),
                 link.lost(),
                 link.reconnected(),
