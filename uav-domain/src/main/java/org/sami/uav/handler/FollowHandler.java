@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.crw.fleet.FleetEvent;
@@ -176,8 +177,18 @@ final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, Ho
 
     @Override
     public Set<Long> missions(String robot) {
+        return missionsWith(one -> one.willFly(robot));
+    }
+
+    /** An aircraft that has caught up with a robot that stands still follows it. */
+    @Override
+    public Set<Long> begunMissions(String robot) {
+        return missionsWith(one -> one.willFly(robot) && one.seen.isPresent());
+    }
+
+    private Set<Long> missionsWith(Predicate<Follower> kind) {
         return open.values().stream()
-                .filter(following -> following.aircraft.stream().anyMatch(one -> one.willFly(robot)))
+                .filter(following -> following.aircraft.stream().anyMatch(kind))
                 .map(following -> following.activation.mission())
                 .collect(Collectors.toSet());
     }

@@ -9,6 +9,8 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.motion.AbortHandler;
+import org.sami.crw.handler.motion.AbortScope;
 import org.sami.crw.handler.motion.Aborts;
 import org.sami.crw.handler.motion.EmergencyAbortHandler;
 import org.sami.crw.handler.motion.LaterMoves;
@@ -126,6 +128,33 @@ class FlightAbortsTest {
                         stopped, harness.flights.position("copter2").orElseThrow()))
                 .isLessThan(5);
         assertThat(harness.messages.get(1)).contains("does not follow copter1 any longer");
+    }
+
+    /** It has caught up, and has no command until its leader moves on. */
+    @Test
+    void abortOfFutureMissionsLeavesAFollowerThatHasCaughtUp() {
+        harness.pass(2);
+        FollowHandler follow = new FollowHandler(
+                harness.fleet.proxies(),
+                harness.flights,
+                harness.motion,
+                message -> harness.messages.add(message.text()),
+                Runnable::run);
+        harness.listen(follow);
+        harness.activate(follow, new HashMap<>(Map.of("robot", new ProxyValue("copter1"))), "copter2");
+        leadTo(20);
+        harness.pass(60);
+        assertThat(harness.proxy("copter2").commands().current()).isEmpty();
+        GeoPoint before = harness.flights.position("copter2").orElseThrow();
+
+        AbortHandler future = new AbortHandler(AbortScope.FUTURE, harness.fleet.proxies(), aborts(follow));
+        harness.activate(future, Map.of(), "copter2");
+        leadTo(120);
+        harness.pass(60);
+
+        assertThat(Geodesy.distanceM(before, harness.flights.position("copter2").orElseThrow()))
+                .isGreaterThan(50);
+        assertThat(harness.messages).isEmpty();
     }
 
     private void leadTo(double northM) {

@@ -34,7 +34,7 @@ public final class AbortHandler implements ActivationHandler {
         List<Runnable> withdrawals = new ArrayList<>();
         for (Addressee addressee : Addressee.of(activation, context)) {
             String boat = addressee.boat();
-            for (long mission : scope.missions(boat, boats.find(boat), aborts.waiting(boat), activation, context)) {
+            for (long mission : scope.missions(boat, boats.find(boat), aborts, activation, context)) {
                 boolean own = mission == activation.mission();
                 signals.add(new Input.Received(
                         own

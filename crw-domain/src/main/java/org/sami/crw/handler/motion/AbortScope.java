@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyCommands;
-import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Token;
@@ -33,23 +32,22 @@ public enum AbortScope {
     /**
      * The missions that a boat aborts, each once.
      *
-     * @param waiting those that have something for the boat that is not in its queue yet
+     * @param aborts knows those that have something for the boat that is not in its queue yet
      */
     Set<Long> missions(
-            String boat, Optional<BoatProxy> proxy, Set<Long> waiting, Activation activation, HandlerContext context) {
+            String boat, Optional<BoatProxy> proxy, Aborts aborts, Activation activation, HandlerContext context) {
         Set<Long> missions = new LinkedHashSet<>();
         if (this == THIS) {
             missions.add(activation.mission());
             return missions;
         }
         Optional<ProxyCommands> commands = proxy.map(BoatProxy::commands);
-        Optional<Long> current = commands.flatMap(ProxyCommands::current).map(BoatCommand::mission);
         commands.map(ProxyCommands::waiting).orElse(List.of()).forEach(command -> missions.add(command.mission()));
-        missions.addAll(waiting);
+        missions.addAll(aborts.waiting(boat));
         if (this == FUTURE) {
-            current.ifPresent(missions::remove);
+            missions.removeAll(aborts.begun(boat));
         } else {
-            current.ifPresent(missions::add);
+            missions.addAll(aborts.begun(boat));
             missions.addAll(whereItStands(boat, context));
         }
         return missions;

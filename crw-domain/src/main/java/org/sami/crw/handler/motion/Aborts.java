@@ -4,7 +4,11 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyCommands;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.command.BoatCommand;
 
 /**
  * Takes from a boat what missions have for it, wherever that is: in the boat's queue, kept back until the boat says where it is or the operator answers, or
@@ -26,6 +30,18 @@ public final class Aborts {
         Set<Long> missions = new HashSet<>(motion.held(boat));
         later.forEach(moves -> missions.addAll(moves.missions(boat)));
         return missions;
+    }
+
+    /** The missions that a boat carries out now: that of its command, or those whose next move for it comes as soon as it is known. */
+    Set<Long> begun(String boat) {
+        Optional<Long> current = boats.find(boat)
+                .map(BoatProxy::commands)
+                .flatMap(ProxyCommands::current)
+                .map(BoatCommand::mission);
+        return current.map(Set::of)
+                .orElseGet(() -> later.stream()
+                        .flatMap(moves -> moves.begunMissions(boat).stream())
+                        .collect(Collectors.toSet()));
     }
 
     /** Takes back what a mission has for a boat, as it asks itself: nobody is answered. */

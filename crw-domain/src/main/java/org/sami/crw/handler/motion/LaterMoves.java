@@ -9,6 +9,11 @@ public interface LaterMoves {
     /** The missions for which a robot has some. */
     Set<Long> missions(String robot);
 
+    /** Those of these missions that the robot carries out already, although it has no command at this moment. */
+    default Set<Long> begunMissions(String robot) {
+        return Set.of();
+    }
+
     /**
      * Takes back what a mission will have robots do; no robots named = all.
      *
