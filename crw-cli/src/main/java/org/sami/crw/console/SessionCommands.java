@@ -13,7 +13,6 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.sami.crw.operator.mission.EngineText;
-import org.sami.crw.operator.mission.MissionSnapshot;
 import org.sami.crw.operator.mission.MissionsSnapshot;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.session.Session;
@@ -35,6 +34,7 @@ final class SessionCommands {
     private final ConsoleContext context;
     private final Supplier<Collection<ConsoleCommand>> commands;
     private volatile boolean ended;
+    private boolean hadMission; // as seen while it waited for the end
 
     /** @param commands all of the console, for its help */
     SessionCommands(ConsoleContext context, Supplier<Collection<ConsoleCommand>> commands) {
@@ -202,9 +202,11 @@ final class SessionCommands {
                                 + "'"));
     }
 
+    /** A mission that ended while there was no link to the session's base is not among its missions any longer. */
     private boolean noMissionRuns() {
         MissionsSnapshot missions = context.models().missions().snapshot();
-        return !missions.missions().isEmpty() && missions.missions().stream().allMatch(MissionSnapshot::hasEnded);
+        hadMission |= !missions.missions().isEmpty();
+        return hadMission && missions.running().isEmpty();
     }
 
     private long ready() {

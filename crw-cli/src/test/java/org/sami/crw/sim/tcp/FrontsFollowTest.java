@@ -96,6 +96,32 @@ class FrontsFollowTest {
         }
     }
 
+    @Test
+    void consoleThatWaitsForTheEndIsDoneThoughTheMissionEndedWhileItHadNoLink() throws Exception {
+        String journal = TestDatabase.address().text();
+        try (BaseAndStandby bases = new BaseAndStandby(folder)) {
+            CrwProcess first = bases.serve(journal);
+            bases.standBy(journal);
+            try (RemoteSession anna = bases.front()) {
+                CrwProcess console = bases.console("wait decision within 120", "wait ended within 300", "quit");
+                BaseAndStandby.await(console, "the session goes on when this console is left");
+                get(anna.start(PLAN, PLAN, Map.of()));
+                BaseAndStandby.await(console, "> wait ended");
+
+                console.standStill(true);
+                first.kill();
+                bases.notices().next("back at ws");
+                get(anna.abortAll());
+                Await.until(
+                        "the mission has ended",
+                        () -> anna.models().missions().snapshot().running().isEmpty());
+                console.standStill(false);
+
+                assertThat(console.await(120)).as(console.out() + console.err()).isZero();
+            }
+        }
+    }
+
     private static PendingDecision asked(RemoteSession of) throws Exception {
         get(of.caughtUp());
         assertThat(of.models().decisions().pending()).hasSize(1);
