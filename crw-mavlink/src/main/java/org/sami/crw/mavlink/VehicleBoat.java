@@ -2,9 +2,11 @@ package org.sami.crw.mavlink;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
@@ -21,6 +23,7 @@ import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.base.MessagePlan;
 import org.sami.mavlink.link.MavlinkLinkReport;
+import org.sami.mavlink.link.SenderFault;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -54,6 +57,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final ForeignStart start;
     private final VehicleTexts texts;
     private Optional<BaseSession> session = Optional.empty();
+    private final Set<SenderFault> toldSpeech = EnumSet.noneOf(SenderFault.class); // in this session
     private VehicleSnapshot vehicle;
     private long saidMs; // time of the last telemetry
     private long heardMs; // time of the last vehicle message that was passed on
@@ -173,6 +177,7 @@ final class VehicleBoat implements BaseSession.Boat {
         String takenBy = session.map(BaseSession::takenBy).orElseGet(() -> others.driver(vehicle, atMs));
         BaseSession next = new BaseSession(this, connection, takenBy);
         session = Optional.of(next);
+        toldSpeech.clear();
         connection.open(next);
         LinkNews.of(name, vehicle).forEach(news -> next.say(news.weight(), news.text()));
         if (!takenBy.isEmpty()) {
@@ -194,6 +199,12 @@ final class VehicleBoat implements BaseSession.Boat {
         boolean isOwn = vehicle.links().contains(link);
         session.filter(told -> isOwn).ifPresent(told -> told.say(Priority.HIGH, link + " does not work: " + why));
         return isOwn && session.isPresent();
+    }
+
+    /** It speaks so on a link that it may not be understood, or obey: the base is told once. */
+    void toldOfSpeech(MavlinkAddress link, SenderFault fault) {
+        session.filter(told -> vehicle.links().contains(link) && toldSpeech.add(fault))
+                .ifPresent(told -> told.say(Priority.HIGH, name + " " + fault.words()));
     }
 
     /** The fence that it is to hold by itself. */

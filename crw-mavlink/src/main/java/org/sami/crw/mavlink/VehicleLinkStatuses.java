@@ -34,18 +34,26 @@ final class VehicleLinkStatuses {
                                 .filter(link -> link.address().equals(heard.link()))
                                 .findFirst(),
                         Optional.ofNullable(plans.get(heard.link())),
+                        vehicle.id().system(),
                         nowMs))
                 .toList();
     }
 
     private static LinkStatus status(
-            HeardLink heard, boolean used, Optional<MavlinkLinkReport> link, Optional<MessagePlan> plan, long nowMs) {
+            HeardLink heard,
+            boolean used,
+            Optional<MavlinkLinkReport> link,
+            Optional<MessagePlan> plan,
+            int system,
+            long nowMs) {
         return new LinkStatus(
                 heard.link().toString(),
                 used,
                 heard.lost(),
                 nowMs - heard.heardMs(),
-                link.flatMap(MavlinkLinkReport::fault),
+                link.flatMap(one -> one.fault()
+                        .or(() -> Optional.ofNullable(one.senders().get(system))
+                                .map(fault -> "the vehicle " + fault.words()))),
                 link.flatMap(MavlinkLinkReport::rssi),
                 link.flatMap(MavlinkLinkReport::remoteRssi),
                 used ? plan.map(MessagePlan::bytesPerVehicle).orElse(0.0) : 0,

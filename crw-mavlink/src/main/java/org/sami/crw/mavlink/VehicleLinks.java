@@ -118,6 +118,9 @@ final class VehicleLinks {
     private void tell(Map<MavlinkAddress, MessagePlan> plans, long atMs) {
         List<MavlinkLinkReport> links = base.links();
         boats.values().forEach(boat -> boat.links(links, plans, atMs));
+        links.forEach(link -> link.senders()
+                .forEach((system, fault) -> Optional.ofNullable(boats.get(system))
+                        .ifPresent(boat -> boat.toldOfSpeech(link.address(), fault))));
         for (MavlinkLinkReport link : broken.found(links)) {
             String why = link.fault().orElse("it cannot be opened");
             var unused =
@@ -182,7 +185,7 @@ final class VehicleLinks {
             waiting.remove(one);
             one.connection.found(home(one.connection));
         } else if (boat.filter(VehicleBoat::isKnown).isPresent()
-                && fault(heard.get().links().get(0)).isEmpty()) {
+                && fault(heard.get().links().get(0), system).isEmpty()) {
             waiting.remove(one);
             homes.put(system, one.connection.address());
             boat.get().connect(one.connection, atMs);
@@ -248,6 +251,15 @@ final class VehicleLinks {
         return report(link).flatMap(MavlinkLinkReport::fault);
     }
 
+    /** What is wrong with a link, or with how a vehicle speaks on it, so that it cannot be commanded. */
+    private Optional<String> fault(MavlinkAddress link, int system) {
+        return fault(link)
+                .or(() -> report(link)
+                        .map(one -> one.senders().get(system))
+                        .filter(fault -> !fault.isCommanded())
+                        .map(fault -> "vehicle " + system + " " + fault.words()));
+    }
+
     private String whyNot(String what, MavlinkAddress address, long atMs) {
         Optional<MavlinkLinkReport> link = report(address);
         List<VehicleSnapshot> there = vehicles.stream()
@@ -269,9 +281,14 @@ final class VehicleLinks {
                         + why.getKey().words())
                 .sorted()
                 .collect(Collectors.joining());
+        String speech = link.map(MavlinkLinkReport::senders).orElse(Map.of()).entrySet().stream()
+                .map(one -> "; vehicle " + one.getKey() + " " + one.getValue().words())
+                .sorted()
+                .collect(Collectors.joining());
         boolean isSilent = link.filter(one -> one.bytes() > 0).isEmpty();
         String nothing = isSilent ? "; nothing came: is this the port on which it speaks MAVLink, and is it on?" : "";
-        return "no " + what + " is heard there" + nothing + (others.isEmpty() ? "" : ", only " + others) + refused;
+        return "no " + what + " is heard there" + nothing + (others.isEmpty() ? "" : ", only " + others) + refused
+                + speech;
     }
 
     private Optional<String> another(MavlinkAddress link) {

@@ -23,6 +23,7 @@ class BrokenLinksTest {
                 AddressText.parse(address),
                 state,
                 Optional.empty(),
+                Map.of(),
                 0,
                 0,
                 0,

@@ -73,6 +73,18 @@ class SignedVehicleTest {
         assertThat(boat.orderedModes()).isEqualTo(List.of());
     }
 
+    @Test
+    void baseWithoutAKeyIsToldThatTheVehicleSigns() throws Exception {
+        try (MavlinkGateway gateway =
+                new MavlinkGateway(SteadyClock.ofThisMachine(), new VehicleFiles(folder), Optional.empty())) {
+            Ending ending = new Ending();
+            gateway.connect(BoatAddress.parse(boat.address() + "/5").toSocketAddress(), ending);
+
+            assertThat(ending.why.get(60, TimeUnit.SECONDS))
+                    .contains("vehicle 5 signs what it sends, and this base has no key");
+        }
+    }
+
     private static final class Ending implements GatewayLink.Listener {
         private final CompletableFuture<String> why = new CompletableFuture<>();
 

@@ -19,7 +19,6 @@ import java.util.function.Supplier;
  */
 public final class LinkSigning {
     private static final long A_MINUTE = 6_000_000; // of signatures' time
-    private static final int RADIO_STATUS = 109; // the number of these messages
 
     private final SigningKey key;
     private final Unsigned unsigned;
@@ -65,7 +64,7 @@ public final class LinkSigning {
     /** Why a packet is refused; empty where it is taken. A radio's own report, which radios cannot sign, is taken: nothing but strengths is read from it. */
     Optional<SignatureFault> fault(MavlinkPacket packet) {
         if (!isSigned(packet)) {
-            return packet.getMessageId() == RADIO_STATUS || takesUnsigned(packet.getSystemId())
+            return packet.getMessageId() == LinkSenders.RADIO_STATUS || takesUnsigned(packet.getSystemId())
                     ? Optional.empty()
                     : Optional.of(SignatureFault.UNSIGNED);
         }

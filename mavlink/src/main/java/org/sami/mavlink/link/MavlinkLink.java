@@ -68,8 +68,7 @@ public final class MavlinkLink implements AutoCloseable {
     private Optional<Integer> rssi = Optional.empty();
     private Optional<Integer> remoteRssi = Optional.empty();
     private long earlierBytes;
-    private boolean firstVersionOnly;
-    private boolean secondVersion;
+    private final LinkSenders senders = new LinkSenders();
 
     /** An open way with its codec. */
     private record Connected(LinkStreams streams, MessageReader in, MavlinkConnection codec) {}
@@ -174,12 +173,21 @@ public final class MavlinkLink implements AutoCloseable {
                     .flatMap(now -> StrangePeer.of(now.in().first()))
                     .or(() -> stranger)
                     .or(() -> noise);
-        } else if (wrong.isEmpty() && firstVersionOnly) {
-            wrong = Optional.of(
-                    "it speaks MAVLink 1 only; set the autopilot's port to MAVLink 2 (ArduPilot: SERIALn_PROTOCOL 2)");
+        } else if (wrong.isEmpty()) {
+            wrong = senders.fault();
         }
         return new MavlinkLinkReport(
-                address, state, wrong, bytes, count.messages(), count.lost(), refused, hasRadio, rssi, remoteRssi);
+                address,
+                state,
+                wrong,
+                senders.faults(end.signing().isPresent()),
+                bytes,
+                count.messages(),
+                count.lost(),
+                refused,
+                hasRadio,
+                rssi,
+                remoteRssi);
     }
 
     private void run() {
@@ -234,7 +242,10 @@ public final class MavlinkLink implements AutoCloseable {
     private String read(LinkStreams streams) {
         Taken taken = new Taken();
         MessageReader in = new MessageReader(
-                streams.in(), kind -> kind == RadioStatus.class || isRead.test(kind), taken::beforeWaiting);
+                streams.in(),
+                kind -> kind == RadioStatus.class || isRead.test(kind),
+                this::isExpected,
+                taken::beforeWaiting);
         MavlinkConnection codec = MavlinkConnection.builder(InputStream.nullInputStream(), streams.out())
                 .build(); // writes
         opened(new Connected(streams, in, codec));
@@ -256,6 +267,11 @@ public final class MavlinkLink implements AutoCloseable {
                 return StrangePeer.ended(e, in.first(), count.messages());
             }
         }
+    }
+
+    /** Whether a message of a kind that is not known here is the next of a sender: it is not missing then. */
+    private synchronized boolean isExpected(MavlinkPacket packet) {
+        return count.isNext(packet.getSystemId(), packet.getComponentId(), packet.getSequence());
     }
 
     private String fellSilent() {
@@ -296,8 +312,7 @@ public final class MavlinkLink implements AutoCloseable {
         wrong.ifPresent(why -> refused.merge(why, 1L, Long::sum));
         if (wrong.isEmpty()) {
             count.came(packet.getSystemId(), packet.getComponentId(), packet.getSequence());
-            secondVersion |= packet.isMavlink2();
-            firstVersionOnly = !secondVersion;
+            senders.came(packet);
         }
         return wrong.isEmpty();
     }

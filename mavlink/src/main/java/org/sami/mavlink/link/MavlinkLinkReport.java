@@ -8,6 +8,7 @@ import org.sami.mavlink.address.MavlinkAddress;
  * What is known of a link.
  *
  * @param fault why it is broken, or what is wrong with what comes, in words for people; empty where all is well
+ * @param senders what is wrong with how single vehicles speak there, by their system ids
  * @param bytes how many bytes came
  * @param messages how many messages came that could be read
  * @param lost the part of the messages that did not come, 0 to 1, by the numbers that senders give them
@@ -20,6 +21,7 @@ public record MavlinkLinkReport(
         MavlinkAddress address,
         MavlinkLinkState state,
         Optional<String> fault,
+        Map<Integer, SenderFault> senders,
         long bytes,
         long messages,
         double lost,
@@ -29,6 +31,7 @@ public record MavlinkLinkReport(
         Optional<Integer> remoteRssi) {
     /** A report. */
     public MavlinkLinkReport {
+        senders = Map.copyOf(senders);
         refused = Map.copyOf(refused);
     }
 }

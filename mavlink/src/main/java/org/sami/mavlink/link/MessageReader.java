@@ -12,13 +12,14 @@ import org.sami.mavlink.format.MessageFormat;
 import org.sami.mavlink.format.MessageFormats;
 
 /**
- * Reads packets of known kinds with right checksums from bytes, whatever else is among them, and the messages in those of some kinds. Used by one thread, but
+ * Reads packets of known kinds with right checksums from bytes, whatever else is among them, and the messages in those of some kinds; of other kinds it may say that they came. Used by one thread, but
  * for {@link #bytes}.
  */
 public final class MessageReader {
     private final ReadAhead in;
     private final MavlinkPacketReader packets;
     private final Predicate<Class<?>> isRead;
+    private final Predicate<MavlinkPacket> isExpected;
     private final Map<Integer, Kind> kinds = new HashMap<>(); // that came, by their numbers
 
     /** A kind of messages, and whether they are read. */
@@ -30,16 +31,19 @@ public final class MessageReader {
      * @param isRead of which of the library's classes messages are read; of others only the packets
      */
     public MessageReader(InputStream from, Predicate<Class<?>> isRead) {
-        this(from, isRead, () -> {});
+        this(from, isRead, packet -> false, () -> {});
     }
 
     /**
      * A reader that says when it waits.
      *
      * @param isRead of which of the library's classes messages are read; of others only the packets
+     * @param isExpected whether a packet of a kind that is not known, whose checksum so tells nothing, counts as one that came
      * @param beforeWaiting called within {@link #next} before it waits for more bytes
      */
-    MessageReader(InputStream from, Predicate<Class<?>> isRead, Runnable beforeWaiting) {
+    MessageReader(
+            InputStream from, Predicate<Class<?>> isRead, Predicate<MavlinkPacket> isExpected, Runnable beforeWaiting) {
+        this.isExpected = isExpected;
         in = new ReadAhead(from, beforeWaiting);
         packets = new MavlinkPacketReader(in);
         this.isRead = isRead;
@@ -68,6 +72,9 @@ public final class MessageReader {
                 return packet;
             }
             packets.drop(); // goes on with its second byte: a packet may begin within it
+            if (kind.isEmpty() && isExpected.test(packet)) {
+                return packet;
+            }
         }
     }
 
@@ -82,7 +89,9 @@ public final class MessageReader {
 
     /** The message of a packet that {@link #next} returned, or {@link ReceivedMessage#UNREAD}. */
     public Object message(MavlinkPacket packet) {
-        Kind kind = kind(packet.getMessageId()).orElseThrow();
-        return kind.isRead ? kind.format.read(packet.getPayload()) : ReceivedMessage.UNREAD;
+        return kind(packet.getMessageId())
+                .filter(Kind::isRead)
+                .map(kind -> kind.format.read(packet.getPayload()))
+                .orElse(ReceivedMessage.UNREAD);
     }
 }

@@ -8,6 +8,8 @@ final class SequenceCount {
     private static final int NUMBERS = 256;
     private static final int AT_ONCE = 128; // a gap that is wider is an older message, or a sender that began again
 
+    private static final int FEW = 8;
+
     private final Map<Integer, Integer> next = new HashMap<>();
     private long came;
     private long missing;
@@ -24,6 +26,12 @@ final class SequenceCount {
         } else if (missing > 0) {
             missing--; // it was late, not lost
         }
+    }
+
+    /** Whether a message with a number is the next of a component that has sent before, or the one after few that are missing. */
+    boolean isNext(int system, int component, int number) {
+        Integer expected = next.get(system * NUMBERS + component);
+        return expected != null && Math.floorMod(number - expected, NUMBERS) < FEW;
     }
 
     long messages() {

@@ -64,6 +64,37 @@ class MessageReaderTest {
         assertThatThrownBy(reader::next).isInstanceOf(EOFException.class);
     }
 
+    /** As those of newer firmware, or of a maker's own. */
+    @Test
+    void messagesOfUnknownKindsCountAsOnesThatCame() throws Exception {
+        SequenceCount count = new SequenceCount();
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        MavlinkConnection codec = MavlinkConnection.create(InputStream.nullInputStream(), bytes);
+        for (int i = 0; i < 50; i++) {
+            codec.send2(1, 1, current(i));
+            int begin = bytes.size();
+            codec.send2(1, 1, attitude());
+            byte[] all = bytes.toByteArray();
+            all[begin + 7] = (byte) 0xf0; // another kind, for which its checksum is not known
+            all[begin + 8] = (byte) 0xf0;
+            bytes.reset();
+            bytes.write(all);
+        }
+        MessageReader reader = new MessageReader(
+                new ByteArrayInputStream(bytes.toByteArray()),
+                kind -> true,
+                packet -> count.isNext(packet.getSystemId(), packet.getComponentId(), packet.getSequence()),
+                () -> {});
+
+        for (int i = 0; i < 100; i++) {
+            MavlinkPacket packet = reader.next();
+            count.came(packet.getSystemId(), packet.getComponentId(), packet.getSequence());
+            assertThat(reader.message(packet)).isEqualTo(i % 2 == 0 ? current(i / 2) : ReceivedMessage.UNREAD);
+        }
+
+        assertThat(count.lost()).isZero();
+    }
+
     @Test
     void packetsAmongRubbishAreFoundWhereverReadsCutThem() throws Exception {
         SplittableRandom random = new SplittableRandom(3);

@@ -99,6 +99,9 @@ final class VehicleText {
                 .forEach((why, many) ->
                         line.append(format("; refused %d message%s %s", many, many == 1 ? "" : "s", why.words())));
         link.fault().ifPresent(fault -> line.append("; ").append(fault));
+        if (link.fault().isEmpty()) {
+            link.senders().forEach((system, fault) -> line.append(format("; vehicle %d %s", system, fault.words())));
+        }
         if (link.fault().isEmpty() && !isHeard(link, vehicles)) {
             line.append(
                     link.bytes() == 0
