@@ -38,6 +38,15 @@ class MessagePlanTest {
     }
 
     @Test
+    void changedMissionIsNoticedWithinTwoSecondsAlsoWithTwentyFiveVehicles() {
+        assertThat(MessagePlan.of(RADIO, 25, false).messages())
+                .filteredOn(message -> message.name().equals("MISSION_CURRENT"))
+                .singleElement()
+                .extracting(AskedMessage::everyS)
+                .isEqualTo(1.8);
+    }
+
+    @Test
     void networksCarryAll() {
         MessagePlan plan = MessagePlan.of(NETWORK, 25, false);
 
