@@ -3,6 +3,7 @@ package org.sami.session.server;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.lang.ref.Reference;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
@@ -24,6 +25,7 @@ final class TestFront implements WebSocket.Listener {
     TestFront(HttpClient client, String url) {
         URI at = URI.create(url.replaceFirst("^http", "ws") + "session");
         socket = client.newWebSocketBuilder().buildAsync(at, this).join();
+        Reference.reachabilityFence(client); // one that is collected before its connection is open leaves that unanswered
     }
 
     TestFront(SessionServer server) {
