@@ -117,6 +117,11 @@ final class BoatParameters {
         return GAINS.contains(name) ? whyOutside(name, value, 0, MOST_GAIN) : Optional.of(name + " can only be read");
     }
 
+    /** What is wrong with a speed that is ordered, in m/s. */
+    static Optional<String> whyNoSpeed(double mps) {
+        return whyOutside("a speed", mps, LEAST_MPS, MOST_MPS);
+    }
+
     private static Optional<String> whyOutside(String name, double value, double least, double most) {
         return value >= least && value <= most
                 ? Optional.empty()

@@ -21,6 +21,8 @@ import org.sami.mavlink.vehicle.VehicleId;
  * keeps its place for anybody. A mode that is chosen while it is disarmed begins when it is armed, as with ArduPilot. For the boat's thread.
  */
 final class BoatVehicle {
+    private static final String NO_MISSION = "there is no mission";
+
     private final String name;
     private final BoatClient boat;
     private final CommandingStation command;
@@ -90,10 +92,19 @@ final class BoatVehicle {
                     + "; it has MANUAL, HOLD, LOITER, AUTO, RTL, GUIDED");
         } else if (order instanceof StationOrder.GoTo place && !boat.commands() && !place.changesMode()) {
             return Optional.of("choose GUIDED first");
+        } else if (drivesMission(order) && mission.isEmpty(home())) {
+            return Optional.of(NO_MISSION);
+        } else if (order instanceof StationOrder.ChangeSpeed speed) {
+            return BoatParameters.whyNoSpeed(speed.speedMps());
         } else if (order instanceof StationOrder.GoTo place) {
             return ways.toPlace(new Position(place.latDeg(), place.lonDeg()), nowMs);
         }
         return Optional.empty();
+    }
+
+    private static boolean drivesMission(StationOrder order) {
+        return order instanceof StationOrder.StartMission
+                || (order instanceof StationOrder.ChangeMode change && change.customMode() == OnboardModes.AUTO);
     }
 
     private OrderReply disarm(VehicleId station, long nowMs) {
@@ -123,9 +134,6 @@ final class BoatVehicle {
     }
 
     private OrderReply change(int next, long nowMs) {
-        if (next == OnboardModes.AUTO && mission.isEmpty(home())) {
-            return OrderReply.denied("there is no mission");
-        }
         Optional<String> cannot = armed ? whyNot(next, nowMs) : Optional.empty();
         if (cannot.isPresent()) {
             return OrderReply.failed(cannot.get());
@@ -147,7 +155,7 @@ final class BoatVehicle {
         } else if (next != OnboardModes.AUTO) {
             return Optional.empty();
         } else if (mission.isEmpty(home())) {
-            return Optional.of("there is no mission");
+            return Optional.of(NO_MISSION);
         }
         return ways.along(mission.ahead(home()), nowMs);
     }

@@ -246,13 +246,15 @@ class GroundStationLinkTest {
             assertThat(give(station, VehicleCommand.reposition(far, Optional.empty()))
                             .inWords())
                     .contains("km away");
+            assertThat(station.setMode(BOAT, "AUTO").join().inWords()).contains("there is no mission");
+            assertThat(give(station, VehicleCommand.setSpeed(1e30)).inWords())
+                    .contains("a speed is 0.1 to 20.0, not 1.0");
             assertThat(boat.base().commandedBy()).isEmpty(); // what cannot be done takes no command
             CommandPlace near = new CommandPlace(BoatWithStation.LAT + 0.001, BoatWithStation.LON, 0);
             assertThat(give(station, VehicleCommand.reposition(near, Optional.empty()))
                             .inWords())
                     .contains("anna is not armed");
             assertThat(station.setMode(BOAT, "STEERING").join().inWords()).contains("it has MANUAL, HOLD");
-            assertThat(station.setMode(BOAT, "AUTO").join().inWords()).contains("there is no mission");
             assertThatThrownBy(() -> station.replace(
                                     BOAT,
                                     HeldKind.MISSION,
