@@ -7,9 +7,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
@@ -45,11 +49,14 @@ import org.sami.mavlink.testing.SmallBoat;
 @Timeout(900)
 class MavlinkPageTest {
     private static final Pattern ROW =
-            Pattern.compile("(?m)^\\| [^|]+ \\| `([a-z-]+)`([^|]*) \\| [^|]+ \\| ([^|]+) \\|$");
+            Pattern.compile("(?m)^\\| [^|]+ \\| `([a-z-]+)`([^|]*) \\| ([^|]+) \\| ([^|]+) \\|$");
     private static final Map<String, Integer> MODES =
             Map.of("MANUAL", 0, "HOLD", 4, "LOITER", 5, "AUTO", 10, "GUIDED", 15);
     private static final List<Waypoint> LIST =
             List.of(new Waypoint(45.71, 10.72, 1), new Waypoint(45.71, 10.73, 1), new Waypoint(45.72, 10.73, 2));
+    private static final Pattern RETURN = Pattern.compile("return (\\d) and (\\d)");
+    private static final Set<String> HANDING_OVER =
+            Set.of("AskForCommand", "GrantCommand", "TakeCommand", "WithdrawKeys");
     private static final String AS_BEFORE = "as before";
 
     /** What each message is here. */
@@ -78,6 +85,32 @@ class MavlinkPageTest {
                 .toList();
     }
 
+    /** All that a base may send, but for what decides who commands: {@link BaseSession} answers that. */
+    @Test
+    void eachKindOfCommandHasARow() throws Exception {
+        Set<String> walked = COMMANDS.values().stream()
+                .map(made -> made.apply("any").getClass().getSimpleName())
+                .collect(Collectors.toSet());
+
+        assertThat(kindsOfCommands())
+                .containsExactlyInAnyOrderElementsOf(
+                        Stream.concat(walked.stream(), HANDING_OVER.stream()).toList());
+    }
+
+    private static Set<String> kindsOfCommands() throws Exception {
+        Path messages = Path.of("..", "boat-link", "src", "main", "java", "org", "sami", "boat", "link");
+        try (Stream<Path> files = Files.list(messages)) {
+            Set<String> kinds = new TreeSet<>();
+            for (Path file :
+                    files.filter(each -> each.toString().endsWith(".java")).toList()) {
+                if (Files.readString(file).contains("extends CommandMessage ")) {
+                    kinds.add(file.getFileName().toString().replace(".java", ""));
+                }
+            }
+            return kinds;
+        }
+    }
+
     @Test
     void tableHasARowForEachMessageThatABaseSends() throws Exception {
         assertThat(rows().stream().map(row -> row.group(1) + row.group(2)))
@@ -90,7 +123,8 @@ class MavlinkPageTest {
         return rows().stream()
                 .filter(row -> !row.group(1).equals("traffic"))
                 .map(row -> dynamicTest(
-                        row.group(1) + row.group(2), () -> walk(row.group(1) + row.group(2), row.group(3))));
+                        row.group(1) + row.group(2),
+                        () -> walk(row.group(1) + row.group(2), row.group(3), row.group(4))));
     }
 
     private static String address(SmallBoat boat, String message) {
@@ -98,7 +132,7 @@ class MavlinkPageTest {
         return boat.address() + "/5";
     }
 
-    private void walk(String message, String then) throws Exception {
+    private void walk(String message, String does, String then) throws Exception {
         try (SmallBoat boat = new SmallBoat(5, 45.7, 10.72, 1);
                 LinkClient client = new LinkClient(folder.resolve(message.replace(' ', '-')), address(boat, message))) {
             assertThat(client.ask(new UploadWaypoints("u", "list", LIST))).isInstanceOf(Ack.class);
@@ -117,6 +151,12 @@ class MavlinkPageTest {
                     return;
                 }
                 assertThat(answer).isInstanceOfAny(Ack.class, HeldWaypoints.class);
+            }
+            if (message.equals("lost-link")) {
+                Matcher set = RETURN.matcher(does);
+                assertThat(set.find()).as(does).isTrue();
+                assertThat(boat.parameter("FS_GCS_ENABLE")).isEqualTo(Double.parseDouble(set.group(1)));
+                assertThat(boat.parameter("FS_ACTION")).isEqualTo(Double.parseDouble(set.group(2)));
             }
             if (then.equals(AS_BEFORE)) {
                 assertThat(boat.mode()).isEqualTo(mode);
