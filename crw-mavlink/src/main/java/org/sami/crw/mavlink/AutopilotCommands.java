@@ -72,7 +72,7 @@ final class AutopilotCommands {
         this.keep = keep;
         this.alarm = alarm;
         motion = first.kind() == VehicleKind.COPTER
-                ? new CopterMotion(base, first, thread, () -> broadcast.accept(settings()))
+                ? new CopterMotion(base, first, thread, () -> broadcast.accept(settings()), alarm)
                 : new VehicleMotion(base, first, thread);
         paths = new VehiclePaths(base, motion, thread, radiusM, broadcast, this::remember, alarm, kept);
         aside = new StepAside(name, motion, paths.targets(), alarm);
@@ -185,7 +185,7 @@ final class AutopilotCommands {
 
     /**
      * The base no longer commands it: a vehicle under way keeps its place, like a boat without a commander. A silent vehicle gets no order: it could arrive
-     * when somebody else already steers it. One that is being stopped is not armed again.
+     * when somebody else already steers it. One that is being stopped is not armed again. One that climbs unheard stays up there.
      */
     void left() {
         giveUpDelayed();
@@ -193,6 +193,8 @@ final class AutopilotCommands {
         boolean ours = motion.isHeard() && !motion.isStopping() && (motion.isOrdered() || motion.isBusy());
         if (ours && (mode == BoatMode.PATH || mode == BoatMode.TELEOPERATION)) {
             motion.hold(why -> {});
+        } else {
+            motion.forgetNext();
         }
     }
 

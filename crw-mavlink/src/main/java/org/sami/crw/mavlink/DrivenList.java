@@ -132,6 +132,11 @@ final class DrivenList {
                 : Optional.empty();
     }
 
+    /** The altitude of the take-off with which it begins, metres over the vehicle's home; empty where it has none. */
+    Optional<Double> takeOffM() {
+        return waypoints().stream().findFirst().filter(first -> isInTheAir(0)).map(Waypoint::altM);
+    }
+
     String id() {
         return upload.listId();
     }

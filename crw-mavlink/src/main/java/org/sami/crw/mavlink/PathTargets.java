@@ -87,6 +87,7 @@ final class PathTargets {
                     new VehicleMotion.Leg(
                             Optional.of(along.itemOf(to.index())),
                             Optional.empty(),
+                            Optional.empty(),
                             false,
                             to.speedMps(),
                             () -> {},

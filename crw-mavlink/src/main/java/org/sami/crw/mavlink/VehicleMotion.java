@@ -49,7 +49,8 @@ class VehicleMotion {
      * How it begins to follow a mission.
      *
      * @param item from which it goes on; empty for a vehicle that follows the mission already, which is not disturbed
-     * @param takeOff the item with which a copter on the ground begins; empty for boats, and where the mission has none
+     * @param takeOff the item with which a copter on the ground begins; empty for boats, and where it goes on further along the mission
+     * @param climb with which a copter that is on the ground, or too low, goes on further along the mission; empty for boats
      * @param lands whether the mission ends with a landing
      * @param speedMps of the leg under way
      * @param goesThere called when the vehicle has taken the item, before it reports progress from there on
@@ -58,10 +59,22 @@ class VehicleMotion {
     record Leg(
             Optional<Integer> item,
             Optional<Integer> takeOff,
+            Optional<Climb> climb,
             boolean lands,
             double speedMps,
             Runnable goesThere,
             Runnable started) {}
+
+    /**
+     * How a copter comes to the height from which it goes on along its mission. It climbs by itself, in GUIDED, as the mission that it holds may have no take-off.
+     *
+     * @param toM the height to which it climbs, metres over its home
+     * @param leastM lower than this, in metres over its home, one in the air climbs first
+     * @param begins called when it climbs
+     * @param mission brings the mission to it once it is up
+     * @param then how it follows the mission then; asked once that is there
+     */
+    record Climb(double toM, double leastM, Runnable begins, Delivery mission, Supplier<Leg> then) {}
 
     VehicleMotion(MavlinkBase base, VehicleSnapshot first, Executor thread) {
         this.base = base;
@@ -97,6 +110,11 @@ class VehicleMotion {
     /** Whether it is being stopped; it may still report that it drives. */
     boolean isStopping() {
         return stopping.filter(order -> !order.isVoid()).isPresent();
+    }
+
+    /** The time of what the vehicle has reported last. */
+    final long nowMs() {
+        return nowMs;
     }
 
     /** Whether it was heard just now, so that an order reaches it at once. */
@@ -137,6 +155,7 @@ class VehicleMotion {
 
     /** Forgets the ordered state: a change of mode or arming is no longer taken for somebody else's. */
     void release() {
+        forgetNext();
         pilot.release();
         hand = Optional.empty();
         isAside = false;
@@ -163,8 +182,12 @@ class VehicleMotion {
         });
     }
 
+    /** What it was to go on with by itself, after what it was ordered to do, is not done any longer. */
+    void forgetNext() {}
+
     /** Every order but {@link #stepAside} and {@link #goOn} ends what is done to give way. */
     VehiclePilot.Order begin(Consumer<Optional<String>> ended) {
+        forgetNext();
         isAside = false;
         return pilot.begin(ended);
     }
@@ -292,7 +315,7 @@ class VehicleMotion {
     /** Goes on along its mission after it was aside; where the vehicle refuses, it stays aside. */
     void goOn(Leg leg, Consumer<Optional<String>> ended) {
         VehiclePilot.Order order = pilot.change(ended);
-        follow(order, new Leg(leg.item, leg.takeOff, leg.lands, leg.speedMps, leg.goesThere, () -> {
+        follow(order, new Leg(leg.item, leg.takeOff, leg.climb, leg.lands, leg.speedMps, leg.goesThere, () -> {
             isAside = false;
             leg.started.run();
         }));

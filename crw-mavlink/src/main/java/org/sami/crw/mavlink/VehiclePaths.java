@@ -301,7 +301,8 @@ final class VehiclePaths {
         boolean isPast = isPast(along, index);
         return new VehicleMotion.Leg(
                 isPast ? Optional.empty() : Optional.of(along.itemOf(index)),
-                along.takeOffItem(),
+                index == 0 ? along.takeOffItem() : Optional.empty(),
+                along.takeOffM().map(metres -> climb(along, index, metres)),
                 along.lands(),
                 speedOf(isPast ? along.next() : index),
                 () -> {
@@ -314,6 +315,17 @@ final class VehiclePaths {
                     judged.sent();
                 },
                 () -> broadcast.accept(progress()));
+    }
+
+    /** To the height of the path's take-off, and to that of the waypoint where it is higher. */
+    private VehicleMotion.Climb climb(DrivenList along, int index, double takeOffM) {
+        double altM = along.waypoints().get(index).altM();
+        return new VehicleMotion.Climb(
+                Math.max(takeOffM, altM),
+                index == 0 ? 0 : Math.min(takeOffM, altM), // to its first waypoint it goes from wherever it is
+                () -> started(along, index),
+                then -> store.whenReadBack(along, then),
+                () -> leg(along, index));
     }
 
     /** Whether the vehicle drives along the list already, and to that waypoint or a later one. */

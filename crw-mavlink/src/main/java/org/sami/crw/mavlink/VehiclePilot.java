@@ -87,7 +87,24 @@ final class VehiclePilot {
             Results.when(asked, thread, outcome -> took(outcome, next), this::fail);
         }
 
-        /** The same, asked again for as long as the vehicle does not answer and no later order has come. */
+        /** The same, with another step where it refuses or does not answer. */
+        void command(CompletableFuture<CommandOutcome> asked, Runnable next, Consumer<CommandOutcome> refused) {
+            Results.when(
+                    asked,
+                    thread,
+                    outcome -> {
+                        if (!isVoid()) {
+                            if (outcome.isAccepted()) {
+                                next.run();
+                            } else {
+                                refused.accept(outcome);
+                            }
+                        }
+                    },
+                    this::fail);
+        }
+
+        /** Goes on once the vehicle accepts; asked again for as long as it does not answer and no later order has come. */
         void commandUntilAnswered(Supplier<CompletableFuture<CommandOutcome>> ask, Runnable next) {
             untilAnswered(ask, outcome -> took(outcome, next));
         }
@@ -128,11 +145,21 @@ final class VehiclePilot {
         }
 
         private void await(Predicate<VehicleSnapshot> seen, String what, Runnable next, Consumer<String> otherwise) {
+            await(seen, what, SEEN_WITHIN_MS, next, otherwise);
+        }
+
+        /** Goes on once it is seen in what the vehicle reports, or otherwise where it is not within a time, with the reason in words. */
+        void await(
+                Predicate<VehicleSnapshot> seen,
+                String what,
+                long withinMs,
+                Runnable next,
+                Consumer<String> otherwise) {
             awaited = seen;
             words = what;
             then = next;
             late = otherwise;
-            untilMs = nowMs + SEEN_WITHIN_MS;
+            untilMs = nowMs + withinMs;
             waits = true;
             look();
         }
@@ -164,6 +191,14 @@ final class VehiclePilot {
                 mayHaveArmed = false;
                 disarm(why);
             } else {
+                end(why);
+            }
+        }
+
+        /** It ends, for a reason in words, with its motors as they are; an order that is void has ended already. */
+        void failAsItIs(String why) {
+            if (!isVoid()) {
+                waits = false;
                 end(why);
             }
         }

@@ -1,6 +1,7 @@
 package org.sami.mavlink.command;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -19,6 +20,7 @@ public record VehicleCommand(
     public static final int SEND_EVERY = 511;
 
     private static final int PARAMS = 7;
+    private static final int TAKE_OFF = 22;
     private static final int SET_MODE = 176;
     private static final int REPOSITION = 192;
     private static final int CHANGE_SPEED = 178;
@@ -88,6 +90,12 @@ public record VehicleCommand(
     /** Makes an item of the mission the one that is carried out now, or next in mode AUTO. */
     public static VehicleCommand setCurrentItem(int item) {
         return made(SET_CURRENT, "go on at item " + item, true, item);
+    }
+
+    /** Takes off straight up to a height, metres over its home, and stays there. ArduPilot's copters do so in mode GUIDED, armed, on the ground. */
+    public static VehicleCommand takeOff(double heightM) {
+        String does = String.format(Locale.ROOT, "take off to %.0f m over its home", heightM);
+        return made(TAKE_OFF, does, true, 0, 0, 0, 0, 0, 0, heightM);
     }
 
     /** Changes the speed of the leg under way, metres a second over ground. */

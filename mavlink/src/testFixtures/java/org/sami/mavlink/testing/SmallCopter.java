@@ -2,6 +2,7 @@ package org.sami.mavlink.testing;
 
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.common.CommandAck;
+import io.dronefleet.mavlink.common.CommandInt;
 import io.dronefleet.mavlink.common.CommandLong;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.MavCmd;
@@ -16,14 +17,15 @@ import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.io.IOException;
+import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 
 /**
  * A simulated copter with an autopilot, on TCP on loopback: arming, take-off, missions, landing and brake as ArduPilot's copters have them, without any
- * aerodynamics. It is armed in GUIDED only, takes off in AUTO only, refuses to be disarmed in the air, and turns its motors off after a landing. Safe for use by
- * several threads.
+ * aerodynamics. It is armed in GUIDED only, takes off in AUTO by its mission and in GUIDED where it is asked to, which it refuses in the air; refuses to be
+ * disarmed in the air, and turns its motors off after a landing. Safe for use by several threads.
  */
 public final class SmallCopter implements AutoCloseable {
     /** Numbers of its modes. */
@@ -37,7 +39,9 @@ public final class SmallCopter implements AutoCloseable {
     private static final long STEP_MS = 50;
     private static final int BEAT_EVERY = 4; // steps
     private static final int LOCATED = 16;
+    private static final int TAKE_OFF = 22;
     private static final int SET_MODE = 176;
+    private static final int REPOSITION = 192;
     private static final int CHANGE_SPEED = 178;
     private static final int SET_CURRENT = 224;
     private static final int MISSION_START = 300;
@@ -59,10 +63,17 @@ public final class SmallCopter implements AutoCloseable {
     private boolean started; // the mission, since it was armed
     private boolean fell;
     private int armings;
+    private int takeOffs; // in GUIDED
+    private boolean takesOff = true; // where it is asked to
+    private boolean answersTakeOffs = true;
+    private Optional<Target> target = Optional.empty(); // in GUIDED
     private final double times;
     private long bootMs = 60_000;
     private long stepped;
     private double reportedM; // the way that it had gone when it reported last
+
+    /** Where it goes to in GUIDED; straight up where it has no place. */
+    private record Target(Optional<int[]> place, double heightM) {}
 
     /**
      * A copter that stands at a place, disarmed.
@@ -93,6 +104,36 @@ public final class SmallCopter implements AutoCloseable {
         return armings;
     }
 
+    /** How often it has taken off in GUIDED. */
+    public synchronized int takeOffs() {
+        return takeOffs;
+    }
+
+    /** It refuses from now on to take off in GUIDED. */
+    public synchronized void refuseTakeOffs() {
+        takesOff = false;
+    }
+
+    /** Its first answer to each order to take off in GUIDED is lost from now on. */
+    public synchronized void loseAnswersToTakeOffs() {
+        answersTakeOffs = false;
+    }
+
+    /** It climbs no higher than that from now on, in metres. */
+    public synchronized void ceiling(double metres) {
+        flight.ceiling(metres);
+    }
+
+    /** The mission that it holds. */
+    public SmallBoatMission mission() {
+        return mission;
+    }
+
+    /** How near it ever came to a place, in metres. */
+    public synchronized double nearestM(double latDeg, double lonDeg) {
+        return flight.motion().nearestM(latDeg, lonDeg);
+    }
+
     /** The number of its mode. */
     public synchronized int mode() {
         return mode;
@@ -121,6 +162,7 @@ public final class SmallCopter implements AutoCloseable {
     /** Its pilot takes it. */
     public synchronized void takenByPilot(int newMode) {
         mode = newMode;
+        target = Optional.empty();
     }
 
     /** Its pilot lets its motors turn, on the ground. */
@@ -142,14 +184,37 @@ public final class SmallCopter implements AutoCloseable {
 
     private synchronized void take(Object message) {
         if (message instanceof CommandLong command) {
-            boolean done = command(command.command().value(), command.param1(), command.param2());
-            link.send(CommandAck.builder()
-                    .command(EnumValue.create(MavCmd.class, command.command().value()))
-                    .result(done ? MavResult.MAV_RESULT_ACCEPTED : MavResult.MAV_RESULT_FAILED)
-                    .build());
+            int number = command.command().value();
+            boolean done = number == TAKE_OFF
+                    ? takesOff(command.param7())
+                    : command(number, command.param1(), command.param2());
+            if (number != TAKE_OFF || answersTakeOffs || !done) {
+                answer(number, done);
+            }
+        } else if (message instanceof CommandInt command && command.command().value() == REPOSITION) {
+            boolean done = flight.isInTheAir();
+            if (done) {
+                mode = GUIDED;
+                target = Optional.of(new Target(Optional.of(new int[] {command.x(), command.y()}), command.z()));
+            }
+            answer(REPOSITION, done);
         } else if (!parameters.take(message) && !fence.take(message, bootMs)) {
             mission.answers(message).forEach(link::send);
         }
+    }
+
+    private void answer(int command, boolean done) {
+        link.send(CommandAck.builder()
+                .command(EnumValue.create(MavCmd.class, command))
+                .result(done ? MavResult.MAV_RESULT_ACCEPTED : MavResult.MAV_RESULT_FAILED)
+                .build());
+    }
+
+    private boolean takesOff(double toM) {
+        boolean may = takesOff && armed && mode == GUIDED && !flight.isInTheAir() && toM > flight.heightM();
+        takeOffs += may ? 1 : 0;
+        target = may ? Optional.of(new Target(Optional.empty(), toM)) : target;
+        return may;
     }
 
     private void send(Object message) {
@@ -165,7 +230,10 @@ public final class SmallCopter implements AutoCloseable {
         switch (number) {
             case SET_MODE -> {
                 boolean lacksTakeOff = second == AUTO && !flight.isInTheAir() && !flight.beginsWithTakeOff(mission);
-                mode = lacksTakeOff ? mode : (int) second;
+                if (!lacksTakeOff && mode != (int) second) {
+                    mode = (int) second;
+                    target = Optional.empty();
+                }
                 return !lacksTakeOff;
             }
             case ARM -> {
@@ -198,12 +266,19 @@ public final class SmallCopter implements AutoCloseable {
         fell |= flight.isInTheAir();
         armed = false;
         started = false;
+        target = Optional.empty();
         return true;
     }
 
     private synchronized void step() {
         bootMs += STEP_MS;
         fence.tick(bootMs);
+        mission.question().ifPresent(this::send);
+        if (armed && mode == GUIDED) {
+            target.ifPresent(to -> to.place.ifPresentOrElse(
+                    place -> flight.stepTo(place[0], place[1], to.heightM, STEP_MS / 1000.0),
+                    () -> flight.stepTo(to.heightM, STEP_MS / 1000.0)));
+        }
         if (armed && mode == AUTO && (started || flight.isInTheAir())) {
             flight.step(mission, STEP_MS / 1000.0)
                     .ifPresent(item ->

@@ -16,6 +16,7 @@ final class SmallFlight {
     private double heightM;
     private double highestM;
     private boolean landed;
+    private double ceilingM = Double.MAX_VALUE;
 
     SmallFlight(SmallBoatMotion motion, double times) {
         this.motion = motion;
@@ -52,6 +53,22 @@ final class SmallFlight {
         return item.command().value() == number;
     }
 
+    /** It climbs no higher from now on. */
+    void ceiling(double metres) {
+        ceilingM = metres;
+    }
+
+    /** Moves for a time straight up, or down, to a height. */
+    void stepTo(double toM, double seconds) {
+        climb(toM, seconds);
+    }
+
+    /** Moves for a time to a place and a height. */
+    void stepTo(int lat, int lon, double toM, double seconds) {
+        motion.comesTo(lat, lon, motion.speed() * times * seconds);
+        climb(toM, seconds);
+    }
+
     /** Moves for a time. The number of the item that it has reached by it. */
     Optional<Integer> step(SmallBoatMission mission, double seconds) {
         landed = false;
@@ -76,7 +93,7 @@ final class SmallFlight {
 
     private void climb(double toM, double seconds) {
         double most = VERTICAL_MPS * times * seconds;
-        heightM += Math.max(-most, Math.min(most, toM - heightM));
+        heightM += Math.max(-most, Math.min(most, Math.min(toM, ceilingM) - heightM));
         highestM = Math.max(highestM, heightM);
     }
 }
