@@ -81,6 +81,11 @@ final class LinkClient implements AutoCloseable {
         clock.slow(now);
     }
 
+    /** Leaves the vehicle, as a base does that has lost the link to it; the gateway goes on. */
+    void leave() {
+        link.close();
+    }
+
     /** Says hello as commander over a new connection in place of this one; what the client then is. */
     Role reconnect() {
         link.close();
