@@ -184,17 +184,19 @@ final class AutopilotCommands {
     }
 
     /**
-     * The base no longer commands it: a vehicle under way keeps its place, like a boat without a commander. A silent vehicle gets no order: it could arrive
+     * The base no longer commands it: a vehicle under way, or armed to set off, keeps its place, like a boat without a commander; one that lies still stays so. A silent vehicle gets no order: it could arrive
      * when somebody else already steers it. One that is being stopped is not armed again. One that climbs unheard stays up there.
      */
     void left() {
         giveUpDelayed();
         BoatMode mode = mode();
         boolean ours = motion.isHeard() && !motion.isStopping() && (motion.isOrdered() || motion.isBusy());
-        if (ours && (mode == BoatMode.PATH || mode == BoatMode.TELEOPERATION)) {
+        boolean moves = mode == BoatMode.PATH || mode == BoatMode.TELEOPERATION;
+        boolean mayMove = motion.isBusy() && motion.vehicle().armed();
+        if (ours && (moves || mayMove)) {
             motion.hold(why -> {});
         } else {
-            motion.forgetNext();
+            motion.abandon();
         }
     }
 

@@ -185,6 +185,14 @@ class VehicleMotion {
     /** What it was to go on with by itself, after what it was ordered to do, is not done any longer. */
     void forgetNext() {}
 
+    /** Nobody commands it any longer: of the order that is being carried out, and what was to follow it, no more is done. A stop goes on. */
+    final void abandon() {
+        forgetNext();
+        if (!isStopping()) {
+            pilot.giveUp();
+        }
+    }
+
     /** Every order but {@link #stepAside} and {@link #goOn} ends what is done to give way. */
     VehiclePilot.Order begin(Consumer<Optional<String>> ended) {
         forgetNext();

@@ -322,6 +322,11 @@ final class VehiclePilot {
         return ordered;
     }
 
+    /** Ends the running order as void, without telling who waits for it; the ordered state stays. */
+    void giveUp() {
+        running = Optional.empty();
+    }
+
     /** Forgets the running order and the ordered state. */
     void release() {
         running = Optional.empty();

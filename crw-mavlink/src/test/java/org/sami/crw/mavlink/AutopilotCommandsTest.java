@@ -122,6 +122,19 @@ class AutopilotCommandsTest {
     }
 
     @Test
+    void boatDoesNotSetOffAfterItsBaseHasLeft() {
+        boat.faults().ignoresMissions(true);
+        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
+        client.say(new StartWaypoints("start", "first", 0));
+
+        client.leave();
+        boat.faults().ignoresMissions(false);
+
+        Await.until("it has the list", () -> boat.mission().uploads() == 1);
+        Await.holds("it lies still", 4, () -> !boat.isArmed());
+    }
+
+    @Test
     void refusedOrderLeavesInForceWhatWasOrderedBefore() {
         drive();
         boat.reports().loseEstimate();
