@@ -15,11 +15,13 @@ import org.sami.mavlink.vehicle.VehiclePosition;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
- * The ways in which an autopilot moves a copter: all flights are missions in AUTO, which begin with a take-off where it is on the ground; a stop in the air is
- * mode BRAKE, in which it stays where it is. Motors are turned off on the ground only. By hand it is flown with its own radio control. For the gateway's
- * thread.
+ * The ways in which an autopilot moves a copter: all flights are missions in AUTO, which begin with a take-off where it is on the ground. To go on in the midst
+ * of one it first climbs straight up in GUIDED, from the ground or from where it is too low ({@link CopterClimb}), as the part that it holds may have no take-off. A
+ * stop in the air is mode BRAKE, in which it stays where it is. Motors are turned off on the ground only. By hand it is flown with its own radio control. For
+ * the gateway's thread.
  *
- * <p>Source: ArduPilot's copters; they are armed in GUIDED, take off in AUTO once the mission is started (command 300), and refuse to be disarmed in the air.
+ * <p>Source: ArduPilot's copters; they are armed in GUIDED, take off in AUTO once the mission is started (command 300), in GUIDED by command 22, which they refuse in
+ * the air, and refuse to be disarmed in the air.
  */
 final class CopterMotion extends VehicleMotion {
     static final String BRAKE = "BRAKE";
