@@ -34,7 +34,8 @@ class StalledListDetectorTest {
                 List.of(),
                 List.of(),
                 List.of(),
-                0);
+                0,
+                Optional.empty());
     }
 
     @Test

@@ -53,7 +53,8 @@ class VehicleConsumptionTest {
                 List.of(),
                 List.of(),
                 List.of(),
-                nowMs);
+                nowMs,
+                Optional.empty());
     }
 
     /** Drives at 1 m/s and uses a percent every so many metres. */

@@ -11,7 +11,7 @@ import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleTable;
 
 /**
- * Asks what speaks with a known vehicle's id on a further link who it is: for the number of its autopilot and for its position with the time since its start. A
+ * Asks each vehicle for the number of its autopilot, when it is heard first and after a silence or a restart, as another one may answer then. Asks what speaks with a known vehicle's id on a further link who it is: for the number of its autopilot and for its position with the time since its start. A
  * radio on which nobody asked for anything carries heartbeats alone. Used by one thread.
  */
 final class LinkRecognition {
@@ -52,17 +52,20 @@ final class LinkRecognition {
             for (MavlinkAddress link : unsettled) {
                 open.add(new Asked(vehicle, link));
             }
-            if (!unsettled.isEmpty() && !table.hasNumber(vehicle)) {
+            if (table.isNumberOpen(vehicle)) {
                 table.linkOf(vehicle).ifPresent(link -> open.add(new Asked(vehicle, link)));
             }
         }
         asked.keySet().retainAll(open);
         for (Asked one : open) {
             Times times = asked.getOrDefault(one, new Times(0, nowMs));
-            if (times.isDue(nowMs)) {
+            boolean isSecond = table.isForeign(one.vehicle(), one.link());
+            if (times.isDue(nowMs) && (isSecond || times.often() < TRIES)) {
                 asked.put(one, new Times(times.often() + 1, nowMs));
                 send(one, AUTOPILOT_VERSION);
-                send(one, POSITION);
+                if (isSecond || !table.unsettled(one.vehicle()).isEmpty()) {
+                    send(one, POSITION);
+                }
             }
         }
     }

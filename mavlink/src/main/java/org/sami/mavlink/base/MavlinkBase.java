@@ -270,7 +270,9 @@ public final class MavlinkBase implements AutoCloseable {
         List<VehicleEvent> events = table.heard(
                 new MessageOrigin(from, id.system(), id.component(), message.number()), message.payload(), now);
         for (VehicleEvent event : events) {
-            if (event instanceof VehicleEvent.Appeared || event instanceof VehicleEvent.Restarted) {
+            if (event instanceof VehicleEvent.Appeared
+                    || event instanceof VehicleEvent.Restarted
+                    || event instanceof VehicleEvent.Replaced) {
                 asking.renew(id, now);
             }
         }
@@ -279,6 +281,9 @@ public final class MavlinkBase implements AutoCloseable {
             requests.take(id, message.payload(), signed, events, now);
         }
         tell(events);
+        if (events.stream().anyMatch(VehicleEvent.Replaced.class::isInstance)) {
+            requests.replaced(id); // once who asked knows why
+        }
     }
 
     private void tick() {

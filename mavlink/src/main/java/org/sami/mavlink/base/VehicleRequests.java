@@ -8,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
+import org.sami.mavlink.command.CommandMessages;
 import org.sami.mavlink.command.CommandOutcome;
 import org.sami.mavlink.command.PendingCommands;
 import org.sami.mavlink.command.VehicleCommand;
@@ -53,7 +54,12 @@ final class VehicleRequests {
 
     private VehicleExchanges of(VehicleId vehicle) {
         return exchanges.computeIfAbsent(
-                vehicle, id -> new VehicleExchanges(id, options.parameters(), message -> send.accept(id, message)));
+                vehicle, id -> new VehicleExchanges(id, options.parameters(), message -> send(id, message)));
+    }
+
+    /** Looks at each message that goes out, as commands are sent again: what may fly by now is never made to fall. */
+    private void send(VehicleId vehicle, Object message) {
+        send.accept(vehicle, table.mayFly(vehicle, nowMs.getAsLong()) ? CommandMessages.unforced(message) : message);
     }
 
     /** Reads a list that a vehicle holds, after the transfers that were asked for before. */
@@ -129,6 +135,11 @@ final class VehicleRequests {
     /** A vehicle's autopilot has started again. */
     void restarted(VehicleId vehicle) {
         Optional.ofNullable(exchanges.get(vehicle)).ifPresent(VehicleExchanges::restarted);
+    }
+
+    /** Another vehicle answers with this id: what was asked of the one before fails, and nothing of it is sent again. */
+    void replaced(VehicleId vehicle) {
+        Optional.ofNullable(exchanges.remove(vehicle)).ifPresent(VehicleExchanges::close);
     }
 
     /** Sends again where an answer is overdue. */

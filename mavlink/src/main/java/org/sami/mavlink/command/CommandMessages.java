@@ -14,6 +14,21 @@ public final class CommandMessages {
 
     private CommandMessages() {}
 
+    /** A message as it may be sent to what flies: one that turns motors off whatever the vehicle does leaves it to the vehicle, and a copter in the air refuses. */
+    public static Object unforced(Object message) {
+        boolean disarms = message instanceof CommandLong command
+                && command.command().value() == VehicleCommand.ARM_DISARM
+                && command.param1() == 0;
+        if (!disarms) {
+            return message;
+        }
+        CommandLong disarm = (CommandLong) message;
+        return of(
+                new VehicleId(disarm.targetSystem(), disarm.targetComponent()),
+                VehicleCommand.disarm(),
+                disarm.confirmation());
+    }
+
     /** A command as a message of the library; {@code again} is how often it was sent before. */
     public static Object of(VehicleId vehicle, VehicleCommand command, int again) {
         EnumValue<MavCmd> number = EnumValue.create(MavCmd.class, command.number());

@@ -25,7 +25,7 @@ public record VehicleCommand(
     private static final int REPOSITION = 192;
     private static final int CHANGE_SPEED = 178;
     private static final int SET_CURRENT = 224;
-    private static final int ARM_DISARM = 400;
+    static final int ARM_DISARM = 400;
     private static final int REBOOT = 246;
     private static final int TAKE_PICTURES = 2_000;
     private static final int TRIGGER_CAMERA = 203;

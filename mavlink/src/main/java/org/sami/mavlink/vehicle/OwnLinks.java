@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.sami.mavlink.address.MavlinkAddress;
 
@@ -87,6 +88,11 @@ final class OwnLinks {
     /** Whether a link is one of the vehicle's. */
     boolean has(MavlinkAddress link) {
         return own.contains(link);
+    }
+
+    /** The number of its autopilot that it said last; empty where it has not said one. */
+    Optional<String> number() {
+        return identity.number();
     }
 
     /** Whether its autopilot has said its number. */

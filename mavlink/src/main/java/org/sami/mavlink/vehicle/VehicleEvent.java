@@ -59,6 +59,12 @@ public sealed interface VehicleEvent {
     /** Its autopilot has started again: what is known of its lists and parameters may not hold any more. */
     record Restarted(VehicleId vehicle) implements VehicleEvent {}
 
+    /**
+     * Another vehicle answers with its id from now on: one of another kind, or with another number of its autopilot. What was known of the one before says nothing
+     * of it.
+     */
+    record Replaced(VehicleId vehicle, VehicleKind before, VehicleKind now) implements VehicleEvent {}
+
     /** Its clock is behind: its autopilot may have started again while it was not heard, or what it says comes late. Comes again every 30 s for as long as it is. */
     record ClockBehind(VehicleId vehicle) implements VehicleEvent {}
 

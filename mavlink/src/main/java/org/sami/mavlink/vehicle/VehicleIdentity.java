@@ -41,6 +41,11 @@ final class VehicleIdentity {
         return shorter == null || shorter.signum() == 0 ? Optional.empty() : Optional.of(shorter.toString());
     }
 
+    /** The number of the autopilot; empty where it has not said one. */
+    Optional<String> number() {
+        return number;
+    }
+
     /** Whether the autopilot has said its number. */
     boolean hasNumber() {
         return number.isPresent();

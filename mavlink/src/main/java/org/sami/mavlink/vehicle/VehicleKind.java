@@ -28,6 +28,21 @@ public enum VehicleKind {
         return word;
     }
 
+    /** Whether it may fall where its motors are turned off: it flies, or what it is is not known. */
+    boolean mayFly() {
+        return switch (this) {
+            case BOAT, ROVER, SUBMARINE -> false;
+            case COPTER, PLANE, OTHER -> true;
+        };
+    }
+
+    /** Whether one vehicle can say both of itself: a boat is a rover by a parameter, and an autopilot that starts does not know yet what it is. */
+    boolean canBe(VehicleKind other) {
+        boolean drives = this == BOAT || this == ROVER;
+        boolean otherDrives = other == BOAT || other == ROVER;
+        return this == other || this == OTHER || other == OTHER || (drives && otherDrives);
+    }
+
     static VehicleKind of(MavType type) {
         return switch (type) {
             case MAV_TYPE_SURFACE_BOAT -> BOAT;

@@ -2,6 +2,7 @@ package org.sami.mavlink.vehicle;
 
 import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
+import io.dronefleet.mavlink.common.AutopilotVersion;
 import io.dronefleet.mavlink.common.FenceStatus;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.GpsRawInt;
@@ -36,6 +37,8 @@ final class VehicleRecord {
     private static final double FULL_CIRCLE_DEG = 360;
     private static final int FULL_PERCENT = 100;
     private static final long POSITION_MS = 5_000; // a position that is older says no longer where it is
+    private static final long SILENT_MS = 3_000; // after which another vehicle may answer
+    private static final long TWIN_MS = 10_000; // in which one of two with the id may not have been heard
     private static final int ABSOLUTE_POSITION = 16; // of the filter's flags
     private static final int NO_POSITION = 128;
 
@@ -65,6 +68,11 @@ final class VehicleRecord {
     private Optional<Integer> currentItem = Optional.empty();
     private Optional<Integer> itemsHeld = Optional.empty();
     private boolean beaten;
+    private VehicleKind kind = VehicleKind.OTHER; // for which it is taken
+    private Optional<String> number = Optional.empty(); // of the autopilot for which it is taken
+    private boolean numberSaid; // since it was silent or has started again
+    private long mayFlyMs = Long.MIN_VALUE / 2; // when it last said that it is something that may fly
+    private long beatMs;
     private long heardMs;
     private long positionMs; // when it said last where it is, or was heard first
 
@@ -80,6 +88,7 @@ final class VehicleRecord {
         if (!own.isOwn(from.link(), payload, nowMs, events)) {
             return events;
         }
+        numberSaid = (numberSaid && nowMs - heardMs <= SILENT_MS) || payload instanceof AutopilotVersion;
         heardMs = nowMs;
         links.heard(from.link(), from.number(), nowMs)
                 .map(change -> new VehicleEvent.LinkChanged(id, change.before(), change.now(), change.why()))
@@ -99,7 +108,42 @@ final class VehicleRecord {
         } else if (links.isNews(from.link(), nowMs)) {
             take(payload, nowMs, events);
         }
+        if (payload instanceof Heartbeat || payload instanceof AutopilotVersion) {
+            compare(events);
+        }
         return events;
+    }
+
+    /** Whether it is still what it was taken for. While two vehicles have the id, that is no news. */
+    private void compare(List<VehicleEvent> events) {
+        if (isTwin()) {
+            return;
+        }
+        VehicleKind said = VehicleKind.of(type);
+        boolean isOfKind = said.canBe(kind);
+        Optional<String> now = numberSaid ? own.number() : Optional.empty();
+        boolean isAnother = number.isPresent() && now.isPresent() && !now.equals(number);
+        if (!isOfKind || isAnother) {
+            events.add(new VehicleEvent.Replaced(id, kind, said));
+            forget();
+            numberSaid &= isOfKind; // it may be the number of the one before
+        }
+        kind = said == VehicleKind.OTHER ? kind : said;
+        number = numberSaid ? now.or(() -> number) : number;
+    }
+
+    /** What was known of the vehicle before says nothing of this one. */
+    private void forget() {
+        located = false;
+        position = Optional.empty();
+        battery = Optional.empty();
+        gps = Optional.empty();
+        health = VehicleHealth.unknown();
+        currentItem = Optional.empty();
+        itemsHeld = Optional.empty();
+        texts.clear();
+        number = Optional.empty();
+        bootClock.restarted();
     }
 
     /** Takes how it is now. */
@@ -142,6 +186,7 @@ final class VehicleRecord {
     /** Its autopilot has started again: it does not know where it is. */
     void restarted() {
         located = false;
+        numberSaid = false;
         bootClock.restarted();
     }
 
@@ -172,11 +217,13 @@ final class VehicleRecord {
     private void beat(Heartbeat beat, List<VehicleEvent> events) {
         String modeBefore = mode();
         boolean armedBefore = armed;
+        beatMs = heardMs;
         MavType what = beat.type().entry();
         MavAutopilot whose = beat.autopilot().entry();
         type = what == null ? MavType.MAV_TYPE_GENERIC : what;
         autopilot = whose == null ? MavAutopilot.MAV_AUTOPILOT_GENERIC : whose;
         customMode = beat.customMode();
+        mayFlyMs = VehicleKind.of(type).mayFly() ? heardMs : mayFlyMs;
         armed = beat.baseMode().flagsEnabled(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED);
         MavState state = beat.systemStatus().entry();
         health = health.withFailsafe(state == MavState.MAV_STATE_CRITICAL || state == MavState.MAV_STATE_EMERGENCY);
@@ -191,6 +238,16 @@ final class VehicleRecord {
 
     private String mode() {
         return ModeNames.of(autopilot, VehicleKind.of(type), customMode);
+    }
+
+    /** Whether it is to be asked for the number of its autopilot. */
+    boolean isNumberOpen() {
+        return !numberSaid;
+    }
+
+    /** Whether it may fall where its motors are turned off: it flies, so does another vehicle with its id, or it was not heard just now and may be another one. */
+    boolean mayFly(long nowMs) {
+        return nowMs - mayFlyMs <= TWIN_MS || nowMs - beatMs > SILENT_MS;
     }
 
     /** Whether two vehicles have this id, as far as the last seconds show. */
@@ -265,10 +322,9 @@ final class VehicleRecord {
     }
 
     VehicleSnapshot snapshot() {
-        VehicleKind kind = VehicleKind.of(type);
         return new VehicleSnapshot(
                 id,
-                kind,
+                VehicleKind.of(type),
                 autopilotName(),
                 mode(),
                 armed,
@@ -283,7 +339,8 @@ final class VehicleRecord {
                 own.others(),
                 own.unsettled(),
                 List.copyOf(texts),
-                heardMs);
+                heardMs,
+                numberSaid ? Optional.of(own.number().orElse("")) : Optional.empty());
     }
 
     private VehicleHealth healthNow() {

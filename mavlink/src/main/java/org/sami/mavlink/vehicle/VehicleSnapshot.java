@@ -19,6 +19,8 @@ import org.sami.mavlink.address.MavlinkAddress;
  * @param unsettled links on which something speaks with its id that is not recognized: these, and those where that is not known yet
  * @param texts what it has said last, oldest first
  * @param heardMs when it was heard last, on the base's clock
+ * @param number the number of its autopilot; empty text where it has none, empty where it has not said it since it was heard first, was silent or has started
+ *     again
  */
 public record VehicleSnapshot(
         VehicleId id,
@@ -37,7 +39,8 @@ public record VehicleSnapshot(
         List<MavlinkAddress> others,
         List<MavlinkAddress> unsettled,
         List<StatusText> texts,
-        long heardMs) {
+        long heardMs,
+        Optional<String> number) {
 
     /** The links on which it is heard, the one on which it is spoken to first. */
     public List<MavlinkAddress> links() {

@@ -113,6 +113,20 @@ public final class VehicleTable {
                 .orElse(List.of());
     }
 
+    /** Whether a vehicle is to be asked for the number of its autopilot: it has not said it since it was heard first, was silent or has started again. */
+    public boolean isNumberOpen(VehicleId id) {
+        return Optional.ofNullable(vehicles.get(id))
+                .filter(VehicleRecord::isNumberOpen)
+                .isPresent();
+    }
+
+    /** Whether a vehicle may fall where its motors are turned off: it, or another one with its id, flies, or may fly as it was not heard just now. */
+    public boolean mayFly(VehicleId id, long nowMs) {
+        return Optional.ofNullable(vehicles.get(id))
+                .filter(known -> !known.mayFly(nowMs))
+                .isEmpty();
+    }
+
     /** Whether a vehicle's autopilot has said its number, by which it is recognized on other links. */
     public boolean hasNumber(VehicleId id) {
         return Optional.ofNullable(vehicles.get(id))

@@ -74,6 +74,74 @@ class VehicleTableTest {
         assertThat(only().autopilot()).isEqualTo("ArduPilot");
     }
 
+    private List<VehicleEvent> after(long nowMs, Object payload) {
+        return table.heard(new MessageOrigin(CABLE, 1, 1, 0), payload, nowMs);
+    }
+
+    private static Heartbeat beat(MavType type) {
+        return beat(type, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 4);
+    }
+
+    @Test
+    void copterWithTheNumberOfABoatIsAnotherVehicle() {
+        VehicleId id = new VehicleId(1, 1);
+        after(1_000, beat(MavType.MAV_TYPE_SURFACE_BOAT));
+        after(1_100, GlobalPositionInt.builder().lat(457_000_000).build());
+        assertThat(table.mayFly(id, 1_500)).isFalse();
+
+        assertThat(after(2_000, beat(MavType.MAV_TYPE_QUADROTOR)))
+                .contains(new VehicleEvent.Replaced(id, VehicleKind.BOAT, VehicleKind.COPTER));
+        assertThat(only().position()).isEmpty();
+        assertThat(table.mayFly(id, 2_000)).isTrue();
+        assertThat(after(3_000, beat(MavType.MAV_TYPE_QUADROTOR))).isEmpty();
+    }
+
+    @Test
+    void vehicleThatIsNotHeardMayBeOneThatFlies() {
+        VehicleId id = new VehicleId(1, 1);
+        after(1_000, beat(MavType.MAV_TYPE_SURFACE_BOAT));
+
+        assertThat(table.mayFly(id, 3_500)).isFalse();
+        assertThat(table.mayFly(id, 4_500)).isTrue();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"MAV_TYPE_GROUND_ROVER, MAV_TYPE_SURFACE_BOAT", "MAV_TYPE_QUADROTOR, MAV_TYPE_GENERIC"})
+    void autopilotThatIsSetUpOrStartsStaysTheSameVehicle(MavType before, MavType now) {
+        after(1_000, beat(before));
+
+        assertThat(after(2_000, beat(now))).noneMatch(VehicleEvent.Replaced.class::isInstance);
+        assertThat(after(3_000, beat(before))).noneMatch(VehicleEvent.Replaced.class::isInstance);
+    }
+
+    @Test
+    void autopilotWithAnotherNumberIsAnotherVehicle() {
+        VehicleId id = new VehicleId(1, 1);
+        after(1_000, beat(MavType.MAV_TYPE_SURFACE_BOAT));
+        assertThat(only().number()).isEmpty();
+        after(1_100, number(5));
+        assertThat(only().number()).contains("5");
+        assertThat(table.isNumberOpen(id)).isFalse();
+        after(9_000, beat(MavType.MAV_TYPE_SURFACE_BOAT));
+        assertThat(table.isNumberOpen(id)).isTrue();
+
+        assertThat(after(9_100, number(0))).isEmpty();
+        assertThat(only().number()).contains("");
+        assertThat(after(9_200, number(5))).isEmpty();
+        assertThat(after(9_300, number(6)))
+                .containsExactly(new VehicleEvent.Replaced(id, VehicleKind.BOAT, VehicleKind.BOAT));
+    }
+
+    private static AutopilotVersion number(int number) {
+        return AutopilotVersion.builder()
+                .flightCustomVersion(new byte[8])
+                .middlewareCustomVersion(new byte[8])
+                .osCustomVersion(new byte[8])
+                .uid(BigInteger.valueOf(number))
+                .uid2(new byte[18])
+                .build();
+    }
+
     @Test
     void groundStationsAndGimbalsAreNoVehicles() {
         heard(beat(MavType.MAV_TYPE_GCS, MavAutopilot.MAV_AUTOPILOT_INVALID, 0));

@@ -77,12 +77,17 @@ public final class SmallBoat implements AutoCloseable {
      * @param times how many times faster it is than it is asked to be
      */
     public SmallBoat(int system, double latDeg, double lonDeg, double times) throws IOException {
+        this(system, latDeg, lonDeg, times, 0);
+    }
+
+    /** The same on a port, where another vehicle was before. */
+    public SmallBoat(int system, double latDeg, double lonDeg, double times, int port) throws IOException {
         mission = new SmallBoatMission(system);
         this.times = times;
         motion = new SmallBoatMotion(latDeg, lonDeg, times);
         number = new SmallBoatNumber(system);
-        link = new SmallVehicleLink(system, faults::isCut, message -> heard(message, link()));
-        secondLink = new SmallVehicleLink(system, () -> secondCut, message -> heard(message, second()));
+        link = new SmallVehicleLink(system, port, faults::isCut, message -> heard(message, link()));
+        secondLink = new SmallVehicleLink(system, 0, () -> secondCut, message -> heard(message, second()));
         link.start();
         secondLink.start();
         var unused = steps.scheduleWithFixedDelay(this::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS);
@@ -91,6 +96,11 @@ public final class SmallBoat implements AutoCloseable {
     /** Its address for a base. */
     public String address() {
         return link.address();
+    }
+
+    /** The port of {@link #address}. */
+    public int port() {
+        return link.port();
     }
 
     /** The address of its second link. */

@@ -46,9 +46,12 @@ public final class SmallCopter implements AutoCloseable {
     private static final int SET_CURRENT = 224;
     private static final int MISSION_START = 300;
     private static final int ARM = 400;
+    private static final int REQUEST_MESSAGE = 512;
+    private static final int AUTOPILOT_VERSION = 148;
     private static final double FORCED = 21_196;
 
     private final SmallVehicleLink link;
+    private final SmallBoatNumber number;
     private final SmallFlight flight;
     private final SmallBoatMission mission;
     private final SmallVehicleParameters parameters = SmallVehicleParameters.ofCopter(this::send);
@@ -81,10 +84,18 @@ public final class SmallCopter implements AutoCloseable {
      * @param times how many times faster it is than it is asked to be
      */
     public SmallCopter(int system, double latDeg, double lonDeg, double times) throws IOException {
+        this(system, latDeg, lonDeg, times, 0, 0);
+    }
+
+    /** The same on a port, where another vehicle was before, and in the air, where its pilot has flown it in STABILIZE. */
+    public SmallCopter(int system, double latDeg, double lonDeg, double times, int port, double heightM)
+            throws IOException {
+        number = new SmallBoatNumber(system);
         mission = new SmallBoatMission(system);
         this.times = times;
-        flight = new SmallFlight(new SmallBoatMotion(latDeg, lonDeg, times), times);
-        link = new SmallVehicleLink(system, () -> false, this::take);
+        flight = new SmallFlight(new SmallBoatMotion(latDeg, lonDeg, times), times, heightM);
+        armed = heightM > 0;
+        link = new SmallVehicleLink(system, port, () -> false, this::take);
         link.start();
         var unused = steps.scheduleWithFixedDelay(this::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS);
     }
@@ -238,6 +249,11 @@ public final class SmallCopter implements AutoCloseable {
             }
             case ARM -> {
                 return first > 0 ? arm() : disarm(second == FORCED);
+            }
+            case REQUEST_MESSAGE -> {
+                if ((int) first == AUTOPILOT_VERSION) {
+                    link.send(this.number.message());
+                }
             }
             case MISSION_START -> started = true;
             case SET_CURRENT -> mission.setCurrent((int) first);

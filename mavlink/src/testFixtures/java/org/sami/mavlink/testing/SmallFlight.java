@@ -18,9 +18,11 @@ final class SmallFlight {
     private boolean landed;
     private double ceilingM = Double.MAX_VALUE;
 
-    SmallFlight(SmallBoatMotion motion, double times) {
+    SmallFlight(SmallBoatMotion motion, double times, double heightM) {
         this.motion = motion;
         this.times = times;
+        this.heightM = heightM;
+        highestM = heightM;
     }
 
     SmallBoatMotion motion() {

@@ -29,17 +29,23 @@ final class SmallVehicleLink implements AutoCloseable {
     private boolean firstVersion;
 
     /**
-     * Listens on a free port.
+     * Listens.
      *
+     * @param port 0 for a free one
      * @param isCut whether new clients are turned away
      * @param taking receives the messages of the client, on the link's thread
      */
-    SmallVehicleLink(int system, BooleanSupplier isCut, Consumer<Object> taking) throws IOException {
+    SmallVehicleLink(int system, int port, BooleanSupplier isCut, Consumer<Object> taking) throws IOException {
         this.system = system;
         this.isCut = isCut;
         this.taking = taking;
         server = new ServerSocket();
-        server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 1);
+        server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), 1);
+    }
+
+    /** The port on which it listens. */
+    int port() {
+        return server.getLocalPort();
     }
 
     /** Begins to serve clients. */
