@@ -150,6 +150,12 @@ final class AutopilotCommands {
         giveUpDelayed();
     }
 
+    /** Another vehicle has its id now: nothing that it was ordered goes on. */
+    void replaced() {
+        motion.release();
+        giveUpDelayed();
+    }
+
     void tick(long nowMs) {
         atMs = nowMs;
         motion.tick(atMs);

@@ -25,6 +25,7 @@ import org.sami.mavlink.base.MessagePlan;
 import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.link.SenderFault;
 import org.sami.mavlink.vehicle.VehicleEvent;
+import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 import org.sami.spn.protocol.Priority;
@@ -43,7 +44,9 @@ final class VehicleBoat implements BaseSession.Boat {
     private static final double STILL_MPS = 0.1;
 
     private final String name;
+    private final VehicleKind kind;
     private final boolean flies;
+    private final ForeignFiles kept;
     private final AutopilotCommands orders;
     private final VehicleSettings settings;
     private final VehiclePerformance performance;
@@ -56,6 +59,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final OtherController others = new OtherController();
     private final ForeignStart start;
     private final VehicleTexts texts;
+    private boolean isReplaced; // another vehicle has its id, and what is kept is that one's
     private Optional<BaseSession> session = Optional.empty();
     private final Set<SenderFault> toldSpeech = EnumSet.noneOf(SenderFault.class); // in this session
     private VehicleSnapshot vehicle;
@@ -74,9 +78,11 @@ final class VehicleBoat implements BaseSession.Boat {
         vehicle = first;
         texts = new VehicleTexts(name);
         start = new ForeignStart(name, first.armed());
-        flies = first.kind() == VehicleKind.COPTER;
+        kind = first.kind();
+        flies = kind == VehicleKind.COPTER;
         this.files = files;
-        settings = new VehicleSettings(base, first.id(), flies, thread, this::reportSettings);
+        kept = new ForeignFiles(name, files, first.number().orElse(""), flies);
+        settings = new VehicleSettings(base, first.id(), kept.ofStarts(), flies, thread, this::reportSettings);
         performance = new VehiclePerformance(
                 base, first.id(), flies, thread, files.consumption(name), counted -> keep(files, counted));
         fence = new VehicleFence(
@@ -91,14 +97,17 @@ final class VehicleBoat implements BaseSession.Boat {
                 settings,
                 performance::waypointRadiusM,
                 this::broadcast,
-                kept -> keep(files, kept),
+                given -> keep(files, given),
                 this::alarm,
                 files.read(name));
     }
 
-    private void keep(VehicleFiles files, VehicleFiles.Kept kept) {
+    private void keep(VehicleFiles files, VehicleFiles.Kept given) {
+        if (isReplaced) {
+            return;
+        }
         try {
-            files.write(name, kept);
+            files.write(name, given);
         } catch (IOException e) {
             session.ifPresent(told -> told.alarm("what " + name
                     + " was given cannot be stored on this machine; after a crash the base sends it again: "
@@ -107,6 +116,9 @@ final class VehicleBoat implements BaseSession.Boat {
     }
 
     private void keep(VehicleFiles files, VehicleConsumption counted) {
+        if (isReplaced) {
+            return;
+        }
         try {
             files.write(name, counted);
         } catch (IOException e) {
@@ -116,7 +128,7 @@ final class VehicleBoat implements BaseSession.Boat {
 
     /** Also while no base is there. */
     private void keep(Progress progress) {
-        if (!progress.equals(keptProgress)) {
+        if (!isReplaced && !progress.equals(keptProgress)) {
             keptProgress = progress;
             try {
                 files.write(name, progress);
@@ -127,6 +139,9 @@ final class VehicleBoat implements BaseSession.Boat {
     }
 
     private void keepFences(VehicleFiles files, List<String> given) {
+        if (isReplaced) {
+            return;
+        }
         try {
             files.writeFences(name, given);
         } catch (IOException e) {
@@ -180,6 +195,7 @@ final class VehicleBoat implements BaseSession.Boat {
         toldSpeech.clear();
         connection.open(next);
         LinkNews.of(name, vehicle).forEach(news -> next.say(news.weight(), news.text()));
+        kept.news().ifPresent(next::alarm);
         if (!takenBy.isEmpty()) {
             sayTaken(next, takenBy);
         }
@@ -240,6 +256,46 @@ final class VehicleBoat implements BaseSession.Boat {
                 told.takenBy(who);
             }
         }));
+    }
+
+    /** Whether this vehicle is another one than that whose list and state were read, as its number tells, which it has said late. */
+    boolean isAnotherByLateNumber(VehicleSnapshot now) {
+        return now.number().filter(kept::isOfAnother).isPresent();
+    }
+
+    /**
+     * Another vehicle answers with its id: nothing goes there that was meant for this one, and the base connects anew to what is there.
+     *
+     * @return what the operator is to be told, where no base is there to tell it
+     */
+    Optional<String> replaced(VehicleKind now) {
+        isReplaced = true;
+        orders.replaced();
+        String where = vehicle.links().get(0).toString();
+        String what = now.word().equals(kind.word())
+                ? "another " + kind.word() + " answers with the number of " + name + " on " + where
+                        + ": its autopilot has another number. Its mission"
+                : name + " was a " + kind.word() + ", and a " + now.word() + " answers with its number now on " + where
+                        + ". The mission of the " + kind.word();
+        String words = what + " is not sent to it. Look what is there before you command it, and give each vehicle a"
+                + " system id of its own";
+        boolean isTold = session.filter(BaseSession::isGreeted).isPresent();
+        urgent(words);
+        session.ifPresent(told -> {
+            told.givenBack();
+            told.end("another vehicle answers with its number");
+        });
+        return isTold ? Optional.empty() : Optional.of(words);
+    }
+
+    /** Tells the operator what must not wait. */
+    void urgent(String words) {
+        session.ifPresent(told -> told.say(Priority.CRITICAL, words));
+    }
+
+    /** Whether this is the autopilot for which it stands, as a system may have several. */
+    boolean is(VehicleId id) {
+        return vehicle.id().equals(id);
     }
 
     /** Something happened to it. */

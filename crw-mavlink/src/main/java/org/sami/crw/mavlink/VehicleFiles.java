@@ -17,10 +17,12 @@ import org.sami.boat.link.UploadWaypoints;
 /**
  * What this machine stores for each vehicle because the autopilot cannot: the id and the waypoints of the list that it was given last, how far it holds them
  * and has come along them, and who latched its fleet stop; how far it drove on how much charge; and which fence it was given. The next base finds the list
- * again and goes on along it. Four files for each vehicle, each replaced as a whole. For one thread at a time.
+ * again and goes on along it. Four files for each vehicle, each replaced as a whole, and one that says whose they are. For one thread at a time.
  */
 public final class VehicleFiles {
     private static final System.Logger LOG = System.getLogger(VehicleFiles.class.getName());
+
+    private static final List<String> KINDS = List.of(".state", ".progress", ".consumption", ".fence");
 
     private final Path folder;
 
@@ -46,6 +48,50 @@ public final class VehicleFiles {
         return new VehicleFiles(Optional.ofNullable(System.getProperty("sami.vehicles"))
                 .map(Path::of)
                 .orElseGet(() -> Path.of(System.getProperty("user.home"), ".config", "sami", "vehicles")));
+    }
+
+    /**
+     * Whose files these are, by what was heard last with the id; empty where that is not known, as in files of earlier versions.
+     */
+    Optional<VehicleOwner> owner(String name) {
+        Path file = ownerFile(name);
+        try {
+            return Files.exists(file) ? Optional.of(VehicleOwner.of(Files.readAllLines(file))) : Optional.empty();
+        } catch (IOException | IllegalArgumentException e) {
+            LOG.log(Level.WARNING, file + " cannot be read; what is kept is taken for that of this vehicle", e);
+            return Optional.empty();
+        }
+    }
+
+    /**
+     * Gives the files to the vehicle that has the id now. What is kept of another one is set aside until that one comes again.
+     *
+     * @return whose they are from now on
+     * @throws IOException if that cannot be written; what is kept may be partly another one's then
+     */
+    VehicleOwner give(String name, String number, boolean flies) throws IOException {
+        VehicleOwner asked = new VehicleOwner(number, flies, 0);
+        VehicleOwner before = owner(name).orElse(asked);
+        boolean isAnother = before.isAnother(asked);
+        VehicleOwner now = isAnother
+                ? new VehicleOwner(number, flies, before.vehicles() + 1)
+                : new VehicleOwner(number.isEmpty() ? before.number() : number, flies, before.vehicles());
+        if (isAnother) {
+            for (String kind : KINDS) {
+                move(name + kind, name + "." + before.key() + kind);
+                move(name + "." + now.key() + kind, name + kind);
+            }
+        }
+        if (!owner(name).equals(Optional.of(now))) {
+            replace(name, ownerFile(name), String.join("\n", now.lines()) + "\n");
+        }
+        return now;
+    }
+
+    private void move(String from, String to) throws IOException {
+        if (Files.exists(folder.resolve(from))) {
+            Files.move(folder.resolve(from), folder.resolve(to), StandardCopyOption.REPLACE_EXISTING);
+        }
     }
 
     /** What is kept of a vehicle; no list where its line is damaged, as the base then sends it again. A latched stop is read whatever the list is. */
@@ -178,6 +224,10 @@ public final class VehicleFiles {
         Path next = folder.resolve(name + ".next");
         Files.writeString(next, text);
         Files.move(next, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    private Path ownerFile(String name) {
+        return folder.resolve(name + ".vehicle");
     }
 
     private Path progressFile(String name) {

@@ -19,6 +19,8 @@ import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.base.MessagePlan;
 import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.vehicle.VehicleEvent;
+import org.sami.mavlink.vehicle.VehicleId;
+import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
@@ -43,6 +45,8 @@ final class VehicleLinks {
     private final Map<Integer, InetSocketAddress> homes = new HashMap<>(); // where the session reaches each
     private final List<Waiting> waiting = new ArrayList<>();
     private final List<Several> several = new ArrayList<>();
+    private final Map<Integer, String> untold = new HashMap<>(); // by system id; for the next base
+    private final NumberWait numbers = new NumberWait();
     private final BrokenLinks broken = new BrokenLinks();
     private List<VehicleSnapshot> vehicles = List.of();
     private SessionFence fence = SessionFence.NONE; // that each vehicle is to hold
@@ -95,7 +99,22 @@ final class VehicleLinks {
     /** Called on the thread of the MAVLink base. */
     private void heard(VehicleEvent event) {
         thread.execute(() -> Optional.ofNullable(boats.get(event.vehicle().system()))
-                .ifPresent(boat -> boat.happened(event, nowMs.getAsLong())));
+                .filter(boat -> boat.is(event.vehicle()))
+                .ifPresent(boat -> happened(boat, event)));
+    }
+
+    private void happened(VehicleBoat boat, VehicleEvent event) {
+        if (event instanceof VehicleEvent.Replaced replaced) {
+            replaced(boat, replaced.vehicle(), replaced.now());
+        } else {
+            boat.happened(event, nowMs.getAsLong());
+        }
+    }
+
+    /** Another vehicle has the id: it is connected anew, with orders of its kind, or refused for what it is. */
+    private void replaced(VehicleBoat boat, VehicleId id, VehicleKind now) {
+        boats.remove(id.system());
+        boat.replaced(now).ifPresent(words -> untold.put(id.system(), words));
     }
 
     void tick() {
@@ -132,13 +151,25 @@ final class VehicleLinks {
         vehicles = now;
         for (VehicleSnapshot vehicle : now) {
             if (isCommanded(vehicle)) {
-                GuardedWork.run(() -> boats.computeIfAbsent(vehicle.id().system(), number -> boat(vehicle))
-                        .reported(vehicle, atMs));
+                GuardedWork.run(() -> reported(vehicle, atMs));
             }
         }
         boats.values().forEach(boat -> GuardedWork.run(() -> boat.tick(atMs)));
         List.copyOf(waiting).forEach(one -> GuardedWork.run(() -> look(one, atMs)));
         List.copyOf(several).forEach(one -> GuardedWork.run(() -> look(one, atMs)));
+    }
+
+    private void reported(VehicleSnapshot vehicle, long atMs) {
+        int system = vehicle.id().system();
+        if (!boats.containsKey(system) && numbers.isOver(vehicle, atMs)) {
+            boats.put(system, boat(vehicle)); // not before: what is kept may be another vehicle's
+        }
+        Optional<VehicleBoat> known = Optional.ofNullable(boats.get(system)).filter(boat -> boat.is(vehicle.id()));
+        if (known.filter(boat -> boat.isAnotherByLateNumber(vehicle)).isPresent()) {
+            replaced(known.get(), vehicle.id(), vehicle.kind());
+        } else {
+            known.ifPresent(boat -> boat.reported(vehicle, atMs));
+        }
     }
 
     private VehicleBoat boat(VehicleSnapshot vehicle) {
@@ -185,11 +216,17 @@ final class VehicleLinks {
             waiting.remove(one);
             one.connection.found(home(one.connection));
         } else if (boat.filter(VehicleBoat::isKnown).isPresent()
+                && numbers.isOver(heard.get(), atMs) // else it may be another one since it was silent
                 && fault(heard.get().links().get(0), system).isEmpty()) {
             waiting.remove(one);
             homes.put(system, one.connection.address());
             boat.get().connect(one.connection, atMs);
-        } else if (atMs > one.untilMs + (vehicle(system).isPresent() && heard.isEmpty() ? RECOGNIZED_MS : 0)
+            Optional.ofNullable(untold.remove(system)).ifPresent(boat.get()::urgent);
+        } else if (atMs
+                        > one.untilMs
+                                + (vehicle(system).isPresent() && (heard.isEmpty() || boat.isEmpty())
+                                        ? RECOGNIZED_MS
+                                        : 0)
                 || isOther(system, link)) {
             waiting.remove(one);
             one.connection.end(whyNot("vehicle " + system, link, atMs));

@@ -16,6 +16,7 @@ final class VehicleSettings {
     private final MavlinkBase base;
     private final VehicleId id;
     private final Executor thread;
+    private final String whose;
     private final VehicleFailsafe failsafe;
     private Optional<String> bootId = Optional.empty();
     private Optional<Long> starts = Optional.empty();
@@ -24,11 +25,13 @@ final class VehicleSettings {
     /**
      * Begins to read.
      *
+     * @param whose tells this vehicle's starts from those of others that had its id; empty where none had
      * @param changed called when what it does without a link is known, or is another
      */
-    VehicleSettings(MavlinkBase base, VehicleId id, boolean flies, Executor thread, Runnable changed) {
+    VehicleSettings(MavlinkBase base, VehicleId id, String whose, boolean flies, Executor thread, Runnable changed) {
         this.base = base;
         this.id = id;
+        this.whose = whose;
         this.thread = thread;
         failsafe = new VehicleFailsafe(base, id, flies, thread, changed);
         read();
@@ -72,7 +75,7 @@ final class VehicleSettings {
 
     private void started(int number, String name) {
         if (number == reads) {
-            bootId = Optional.of(name);
+            bootId = Optional.of(name + whose);
         }
     }
 

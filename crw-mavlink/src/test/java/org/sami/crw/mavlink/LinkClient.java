@@ -90,6 +90,7 @@ final class LinkClient implements AutoCloseable {
     Role reconnect() {
         link.close();
         open = false;
+        ended = false;
         said.clear();
         link = connect();
         return greet();
