@@ -2,53 +2,104 @@ package org.sami.crw.mavlink;
 
 import java.util.Locale;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.sami.mavlink.vehicle.StatusText;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
-/** Names who controls a vehicle instead of the base: its own failsafe if the vehicle reports one, else a person. For the gateway's thread. */
+/**
+ * Names who controls a vehicle instead of the base: its own failsafe if the vehicle reports one, else a person. For the gateway's thread.
+ *
+ * <p>Source: ArduPilot's boats and copters say why they change their mode just before they do. Their heartbeats are critical only while radio, ground station or the
+ * filter fails; a battery failsafe stands in {@code SYS_STATUS}, where the battery is not healthy from then on, and a crash in a text alone.
+ */
 final class OtherController {
     private static final long WORDS_MS = 4_000; // between a failsafe's words and its mode
+
+    private static final long BATTERY_MS = 30_000; // until its status has come, also over a slow link
+
+    private static final Pattern BATTERY = Pattern.compile("battery \\d+ is (low|critical)|battery failsafe");
+    private static final Pattern ACTS = Pattern.compile("failsafe|breach|ekf variance|^crash: |" + BATTERY);
+
+    /** A failsafe that ends, that changes nothing, or that a check before arming names. */
+    private static final Pattern DOES_NOTHING = Pattern.compile("cleared|continuing|^(pre)?arm: ");
+
+    /** Into this mode a copter also goes by itself, where its filter fails. */
+    private static final String ALT_HOLD = "ALT_HOLD";
 
     /** In these modes it obeys sticks only. */
     private static final Set<String> BY_STICKS = Set.of("MANUAL", "ACRO", "STEERING", "SIMPLE");
 
     private static final Set<String> COPTER_BY_STICKS =
-            Set.of("STABILIZE", "ACRO", "ALT_HOLD", "LOITER", "POSHOLD", "DRIFT", "SPORT", "FLIP");
+            Set.of("STABILIZE", "ACRO", ALT_HOLD, "LOITER", "POSHOLD", "DRIFT", "SPORT", "FLIP");
 
     private String words = ""; // of its last failsafe
     private long saidMs;
+    private long batterySaidMs = Long.MIN_VALUE / 2;
+    private long batteryFailedMs = Long.MIN_VALUE / 2;
 
     /** The autopilot said something. */
     void said(StatusText text, long atMs) {
         String lower = text.text().toLowerCase(Locale.ROOT);
-        if (lower.contains("failsafe") || lower.contains("breach") || lower.contains("ekf variance")) {
+        if (ACTS.matcher(lower).find() && !DOES_NOTHING.matcher(lower).find()) {
             words = text.text();
             saidMs = atMs;
+            batterySaidMs = BATTERY.matcher(lower).find() ? atMs : batterySaidMs;
         }
     }
 
-    /** Whether it carries out a failsafe for a low battery. */
-    boolean isBatteryFailsafe(VehicleSnapshot vehicle) {
-        return vehicle.health().failsafe() && words.toLowerCase(Locale.ROOT).contains("batt");
+    /** It reports itself in another way than before. */
+    void reported(VehicleSnapshot before, VehicleSnapshot now, long atMs) {
+        if (isBatteryFailing(now) && !isBatteryFailing(before)) {
+            batteryFailedMs = atMs;
+        }
+    }
+
+    /** Its autopilot has started again: no failsafe of before is in force. */
+    void restarted() {
+        words = "";
+        batterySaidMs = Long.MIN_VALUE / 2;
+        batteryFailedMs = Long.MIN_VALUE / 2;
+    }
+
+    private static boolean isBatteryFailing(VehicleSnapshot vehicle) {
+        return vehicle.health().failing().contains("battery");
+    }
+
+    /** Whether its battery has been low or critical by its own limits since its autopilot started, so that its failsafe has acted. */
+    boolean isBatteryFailsafe(VehicleSnapshot vehicle, long atMs) {
+        return isBatteryFailing(vehicle) || atMs - batterySaidMs < BATTERY_MS;
     }
 
     /** Who drives a vehicle by hand that no base of this process has commanded yet; empty if nobody does. */
     String driver(VehicleSnapshot vehicle, long atMs) {
+        return isBySticks(vehicle) ? who(vehicle, atMs) : "";
+    }
+
+    private static boolean isBySticks(VehicleSnapshot vehicle) {
         Set<String> modes = vehicle.kind() == VehicleKind.COPTER ? COPTER_BY_STICKS : BY_STICKS;
-        return vehicle.armed() && modes.contains(vehicle.mode()) ? who(vehicle, atMs) : "";
+        return vehicle.armed() && modes.contains(vehicle.mode());
     }
 
     /** Who has changed its state, in words for the operator. */
     String who(VehicleSnapshot vehicle, long atMs) {
         String state = vehicle.armed() ? vehicle.mode() : vehicle.mode() + ", disarmed";
-        boolean justSaid = !words.isEmpty() && atMs - saidMs < WORDS_MS;
         if (vehicle.health().outsideFence()) {
             return "its own failsafe, outside of its fence (" + state + ")";
         }
-        if (!vehicle.health().failsafe() && !justSaid) {
-            return "a pilot or another ground station (" + state + ")";
+        if (isBySticks(vehicle) && !vehicle.mode().equals(ALT_HOLD)) { // no failsafe goes there
+            return person(state);
         }
-        return "its own failsafe" + (words.isEmpty() ? "" : " \"" + words + "\"") + " (" + state + ")";
+        if (!words.isEmpty() && (atMs - saidMs < WORDS_MS || vehicle.health().failsafe())) {
+            return "its own failsafe \"" + words + "\" (" + state + ")";
+        }
+        if (vehicle.health().failsafe()) {
+            return "its own failsafe (" + state + ")";
+        }
+        return atMs - batteryFailedMs < WORDS_MS ? "its own failsafe, for its battery (" + state + ")" : person(state);
+    }
+
+    private static String person(String state) {
+        return "a pilot or another ground station (" + state + ")";
     }
 }

@@ -70,6 +70,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private long beatMs;
     private Optional<BatteryReport> battery = Optional.empty();
     private long batteryMs;
+    private long tickMs; // of the last tick
     private Progress keptProgress = new Progress("", 0, false);
 
     VehicleBoat(MavlinkBase base, VehicleSnapshot first, Executor thread, VehicleFiles files, SeenTargets seen) {
@@ -235,6 +236,7 @@ final class VehicleBoat implements BaseSession.Boat {
         }
         boolean another = flies && now.armed() != vehicle.armed(); // its home is where it was armed
         boolean placed = flies && now.located() && !vehicle.located();
+        others.reported(vehicle, now, atMs);
         vehicle = now;
         if (performance.reported(now)) {
             reportSettings();
@@ -306,6 +308,7 @@ final class VehicleBoat implements BaseSession.Boat {
             camera.read();
             fence.restarted();
             orders.restarted();
+            others.restarted();
             session.ifPresent(told -> {
                 told.givenBack();
                 told.end("its autopilot has started again");
@@ -340,6 +343,7 @@ final class VehicleBoat implements BaseSession.Boat {
     }
 
     void tick(long atMs) {
+        tickMs = atMs;
         orders.tick(atMs);
         camera.tick(atMs);
         fence.tick(atMs, session.filter(BaseSession::isCommanded).isPresent());
@@ -387,7 +391,7 @@ final class VehicleBoat implements BaseSession.Boat {
     }
 
     private void reportBattery(BaseSession told, long atMs) {
-        Optional<BatteryReport> now = VehicleReports.battery(vehicle, others.isBatteryFailsafe(vehicle));
+        Optional<BatteryReport> now = VehicleReports.battery(vehicle, others.isBatteryFailsafe(vehicle, atMs));
         boolean another = !now.map(BatteryReport::level).equals(battery.map(BatteryReport::level));
         if (now.isPresent() && (another || atMs - batteryMs >= BATTERY_MS)) {
             batteryMs = atMs;
@@ -427,7 +431,8 @@ final class VehicleBoat implements BaseSession.Boat {
 
     @Override
     public void introduce() {
-        VehicleReports.battery(vehicle, others.isBatteryFailsafe(vehicle)).ifPresent(this::broadcast);
+        VehicleReports.battery(vehicle, others.isBatteryFailsafe(vehicle, tickMs))
+                .ifPresent(this::broadcast);
         broadcast(orders.settings());
         Progress progress = orders.progress();
         broadcast(progress);

@@ -276,19 +276,54 @@ class VehicleBoatTest {
         submit(path(FIRST, SECOND, THIRD));
         world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
 
-        boat.failsafe("Battery 1 is low: Failsafe", RTL);
+        boat.failsafe("GCS Failsafe", RTL);
 
         world.until("it acts by itself", BOAT, proxy -> !proxy.isCommanding());
-        assertThat(world.alarms)
-                .contains(
-                        BOAT + " says: Battery 1 is low: Failsafe",
-                        BOAT
-                                + " is taken by its own failsafe \"Battery 1 is low: Failsafe\" (RTL): its missions"
-                                + " wait until you take it back");
+        assertThat(world.alarms).contains(BOAT + " says: GCS Failsafe", ownFailsafe("GCS Failsafe", "RTL"));
+    }
+
+    private static String ownFailsafe(String words, String mode) {
+        return BOAT + " is taken by its own failsafe \"" + words + "\" (" + mode
+                + "): its missions wait until you take it back";
+    }
+
+    @Test
+    void batteryFailsafeAsTheFirmwareReportsItTakesItAndIsACriticalBattery() {
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
+
+        boat.batteryFailsafe(RTL);
+
+        world.until("it acts by itself", BOAT, proxy -> !proxy.isCommanding());
+        assertThat(world.alarms).contains(ownFailsafe("Battery 1 is low 10.94V used 12 mAh", "RTL"));
         world.until(
                 "its battery is critical",
                 BOAT,
                 proxy -> proxy.status().battery().orElseThrow().level() == BatteryLevel.CRITICAL);
+    }
+
+    @Test
+    void crashThatItFindsIsItsOwnDoing() {
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
+
+        boat.crash();
+
+        world.until("it acts by itself", BOAT, proxy -> !proxy.isCommanding());
+        assertThat(world.alarms).contains(ownFailsafe("Crash: Going to HOLD", "HOLD"));
+    }
+
+    @Test
+    void whoDrivesItByHandAfterItsFailsafeIsAPilot() {
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is under way", BOAT, VehicleBoatTest::isUnderWay);
+
+        boat.batteryFailsafe(MANUAL);
+
+        world.until("it is taken", BOAT, proxy -> !proxy.isCommanding());
+        assertThat(world.alarms)
+                .contains(BOAT + " is taken by a pilot or another ground station (MANUAL): its missions wait until you"
+                        + " take it back");
     }
 
     /** Its command fails for a reason that contains these words, and it is not armed. */

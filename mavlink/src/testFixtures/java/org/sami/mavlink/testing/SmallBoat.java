@@ -200,13 +200,31 @@ public final class SmallBoat implements AutoCloseable {
         parameters.set(name, value);
     }
 
+    /** Another ground station sets one of its parameters: it says so on all its links, as ArduPilot's boats do. */
+    public synchronized void setByAnother(String name, float value) {
+        parameters.change(name, value);
+    }
+
     /** Somebody with a radio changes its mode, and maybe arms it. */
     public synchronized void takenByPilot(int newMode, boolean nowArmed) {
         mode = newMode;
         armed = nowArmed;
     }
 
-    /** Its failsafe acts: it says so and changes its mode. */
+    /** Its battery is low: as ArduPilot's boats do, it warns, has an unhealthy battery from then on, and changes its mode. Its heartbeats are as before. */
+    public synchronized void batteryFailsafe(int newMode) {
+        reports.batteryFails(true);
+        says(4, "Battery 1 is low 10.94V used 12 mAh");
+        mode = newMode;
+    }
+
+    /** It stands still though it drives: as ArduPilot's boats do, it says so and goes into HOLD. Its heartbeats are as before. */
+    public synchronized void crash() {
+        says(0, "Crash: Going to HOLD");
+        mode = SmallBoatMotion.HOLD;
+    }
+
+    /** Its failsafe for radio, ground station or filter acts: it says so, its heartbeats are critical from then on, and it changes its mode. */
     public synchronized void failsafe(String words, int newMode) {
         failsafe = true;
         say(words);
@@ -264,6 +282,7 @@ public final class SmallBoat implements AutoCloseable {
         bootMs = 0;
         parameters.set("STAT_BOOTCNT", parameters.value("STAT_BOOTCNT") + 1);
         failsafe = false;
+        reports.batteryFails(false);
     }
 
     /** Its autopilot has no power from now on. */
@@ -423,6 +442,7 @@ public final class SmallBoat implements AutoCloseable {
         }
         bootMs += STEP_MS;
         fence.tick(bootMs);
+        parameters.set("FENCE_TOTAL", fence.items().size());
         mission.question().ifPresent(this::send);
         boolean beginsAgain = mission.takeChange() && armed && mode == SmallBoatMotion.AUTO;
         if (beginsAgain) {

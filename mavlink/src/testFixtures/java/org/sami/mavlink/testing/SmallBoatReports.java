@@ -4,6 +4,7 @@ import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.common.FenceStatus;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
+import io.dronefleet.mavlink.common.MavSysStatusSensor;
 import io.dronefleet.mavlink.common.MissionCurrent;
 import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
@@ -32,6 +33,7 @@ public final class SmallBoatReports {
     private int filter = LOCATED;
     private double claimedMps; // reported in place of its speed
     private int charge = 87;
+    private boolean batteryFails;
     private long steps;
 
     SmallBoatReports(Consumer<Object> send) {
@@ -112,6 +114,11 @@ public final class SmallBoatReports {
         charge = percent;
     }
 
+    /** Its battery is not healthy from now on, as after a battery failsafe; or is again. */
+    synchronized void batteryFails(boolean now) {
+        batteryFails = now;
+    }
+
     /** One step of the simulation: sends what is due. */
     synchronized void step(State now) {
         long step = steps++;
@@ -131,7 +138,11 @@ public final class SmallBoatReports {
         if (placed) {
             sendPosition(now);
         }
+        EnumValue<MavSysStatusSensor> battery = EnumValue.of(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY);
         send.accept(SysStatus.builder()
+                .onboardControlSensorsPresent(battery)
+                .onboardControlSensorsEnabled(battery)
+                .onboardControlSensorsHealth(batteryFails ? EnumValue.create(0) : battery)
                 .voltageBattery(12_600)
                 .batteryRemaining(charge)
                 .build());

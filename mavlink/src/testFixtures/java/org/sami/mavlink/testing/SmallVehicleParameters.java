@@ -59,6 +59,12 @@ final class SmallVehicleParameters {
         values.put(name, value);
     }
 
+    /** Sets one, and says so. */
+    void change(String name, float value) {
+        values.put(name, value);
+        report(name);
+    }
+
     /** Receives a message; false where it is not about parameters. */
     boolean take(Object message) {
         if (message instanceof ParamRequestRead asked) {
