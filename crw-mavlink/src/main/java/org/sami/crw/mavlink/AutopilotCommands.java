@@ -40,7 +40,9 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
  */
 final class AutopilotCommands {
     private static final long STICKS_MS = 5_000; // without sticks; then they are a new try
+    private static final long REFUSED_MS = 1_000; // after it has refused to be driven by hand, before it is asked again
 
+    private final String name;
     private final VehicleMotion motion;
     private final VehiclePaths paths;
     private final StepAside aside;
@@ -50,6 +52,8 @@ final class AutopilotCommands {
     private final Consumer<String> alarm;
     private final List<Delayed> afterStop = new ArrayList<>();
     private long atMs; // of the last tick
+    private boolean toldWhyNot; // in the present try
+    private long refusedMs = Long.MIN_VALUE / 2; // when it refused last to be driven by hand
     private long sticksMs = Long.MIN_VALUE / 2; // when sticks came last
     private String stoppedBy; // who has latched the fleet stop; empty while it is not latched
 
@@ -67,6 +71,7 @@ final class AutopilotCommands {
             Consumer<VehicleFiles.Kept> keep,
             Consumer<String> alarm,
             VehicleFiles.Kept kept) {
+        this.name = name;
         this.settings = settings;
         this.broadcast = broadcast;
         this.keep = keep;
@@ -265,16 +270,32 @@ final class AutopilotCommands {
         keep.accept(paths.kept(stoppedBy));
     }
 
-    /** Sticks of a person, -1 to 1; in force until the next ones, at most for the dead man's time. A copter is not flown so. */
+    /**
+     * Sticks of a person, -1 to 1; in force until the next ones, at most for the dead man's time. Why they do not move it is an alarm, once as long as they are held. A
+     * copter is not flown so.
+     */
     void teleoperate(double thrust, double rudder) {
+        if (atMs - sticksMs > STICKS_MS) {
+            toldWhyNot = false;
+        }
+        sticksMs = atMs;
         if (motion.flies()) {
-            if (atMs - sticksMs > STICKS_MS) {
-                alarm.accept("vehicle " + motion.vehicle().id()
-                        + " is not flown by hand from here: take its radio control, or send it somewhere");
-            }
-            sticksMs = atMs;
-        } else if (stoppedBy.isEmpty()) {
-            motion.steer(thrust, rudder);
+            notDriven("vehicle " + motion.vehicle().id()
+                    + " is not flown by hand from here: take its radio control, or send it somewhere");
+        } else if (!stoppedBy.isEmpty()) {
+            notDriven(name + " is not driven by hand: the fleet stop is latched, release it first");
+        } else if (atMs - refusedMs > REFUSED_MS) {
+            motion.steer(thrust, rudder, why -> {
+                refusedMs = atMs;
+                notDriven(name + " is not driven by hand: " + why);
+            });
+        }
+    }
+
+    private void notDriven(String words) {
+        if (!toldWhyNot) {
+            toldWhyNot = true;
+            alarm.accept(words);
         }
     }
 }

@@ -141,7 +141,7 @@ final class CopterMotion extends VehicleMotion {
 
     /** Nothing: who wants to fly it by hand uses its radio control. */
     @Override
-    void steer(double thrust, double rudder) {}
+    void steer(double thrust, double rudder, Consumer<String> failed) {}
 
     @Override
     void follow(VehiclePilot.Order order, Leg leg) {

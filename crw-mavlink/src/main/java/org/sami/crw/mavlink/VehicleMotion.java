@@ -26,6 +26,7 @@ class VehicleMotion {
     static final String HOLD = "HOLD";
 
     private static final String MANUAL = "MANUAL";
+    private static final long MS = 1_000; // in a second
 
     final MavlinkBase base;
     final VehicleId id;
@@ -351,12 +352,25 @@ class VehicleMotion {
                         base.command(id, reposition(place)), () -> goes(order, place.speedMps(), () -> {})));
     }
 
-    /** Sticks of a person, -1 to 1; in force until the next ones, at most for the dead man's time. */
-    void steer(double thrust, double rudder) {
+    /**
+     * Sticks of a person, -1 to 1; in force until the next ones, at most for the dead man's time.
+     *
+     * @param failed receives why the vehicle is not driven so, in words: it refuses, or has not begun as it is to stand again
+     */
+    void steer(double thrust, double rudder, Consumer<String> failed) {
         boolean begins = hand.isEmpty();
         hand = Optional.of(new Hand(thrust, rudder, nowMs));
         if (begins) {
-            VehiclePilot.Order order = begin(why -> why.ifPresent(words -> hand = Optional.empty()));
+            long beganMs = nowMs;
+            VehiclePilot.Order order = begin(why -> why.ifPresent(words -> {
+                hand = Optional.empty();
+                if (!words.equals(VehiclePilot.VOID)) {
+                    failed.accept(words);
+                } else if (nowMs - beganMs >= LinkDefaults.TELEOPERATION_STOP_MS) {
+                    failed.accept("vehicle " + id + " has not come into mode " + MANUAL + ", armed, within "
+                            + (nowMs - beganMs) / MS + " s");
+                }
+            }));
             order.mode(
                     MANUAL,
                     vehicle().armed(),
