@@ -83,7 +83,8 @@ final class VehicleBoat implements BaseSession.Boat {
         flies = kind == VehicleKind.COPTER;
         this.files = files;
         kept = new ForeignFiles(name, files, first.number().orElse(""), flies);
-        settings = new VehicleSettings(base, first.id(), kept.ofStarts(), flies, thread, this::reportSettings);
+        settings = new VehicleSettings(
+                base, first.id(), kept.ofStarts(), flies, thread, this::reportSettings, this::alarm);
         performance = new VehiclePerformance(
                 base, first.id(), flies, thread, files.consumption(name), counted -> keep(files, counted));
         fence = new VehicleFence(
@@ -328,6 +329,9 @@ final class VehicleBoat implements BaseSession.Boat {
                         }
                         broadcast(report);
                     });
+        } else if (event instanceof VehicleEvent.ParameterReported parameter) {
+            settings.failsafe().reported(parameter.name(), parameter.value());
+            fence.reported(parameter.name(), parameter.value());
         } else if (event instanceof VehicleEvent.PictureTaken picture) {
             broadcast(VehicleReports.picture(picture, Math.max(0, atMs)));
             camera.taken(picture);
@@ -346,7 +350,9 @@ final class VehicleBoat implements BaseSession.Boat {
         tickMs = atMs;
         orders.tick(atMs);
         camera.tick(atMs);
-        fence.tick(atMs, session.filter(BaseSession::isCommanded).isPresent());
+        boolean isCommanded = session.filter(BaseSession::isCommanded).isPresent();
+        fence.tick(atMs, isCommanded);
+        settings.failsafe().tick(atMs, isCommanded);
         if (session.filter(BaseSession::isGreeted).isEmpty()) {
             return;
         }
@@ -437,6 +443,8 @@ final class VehicleBoat implements BaseSession.Boat {
         Progress progress = orders.progress();
         broadcast(progress);
         camera.read();
+        settings.failsafe().askSoon();
+        fence.askSoon();
         if (!flies) { // copters are not steered around others
             avoidance.read();
         }

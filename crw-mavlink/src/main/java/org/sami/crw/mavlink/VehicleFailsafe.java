@@ -39,6 +39,8 @@ final class VehicleFailsafe {
     private final boolean flies;
     private final Executor thread;
     private final Runnable changed;
+    private final Consumer<String> alarm;
+    private final WatchedParameters watched;
     private Optional<Integer> enable = Optional.empty();
     private Optional<Integer> action = Optional.empty(); // of boats
     private Optional<Double> timeoutS = Optional.empty();
@@ -49,23 +51,56 @@ final class VehicleFailsafe {
      * Nothing is read yet.
      *
      * @param changed called when what it does without a link is known, or is another
+     * @param alarm receives what others have changed, in words for the operator
      */
-    VehicleFailsafe(MavlinkBase base, VehicleId id, boolean flies, Executor thread, Runnable changed) {
+    VehicleFailsafe(
+            MavlinkBase base, VehicleId id, boolean flies, Executor thread, Runnable changed, Consumer<String> alarm) {
         this.base = base;
         this.id = id;
         this.flies = flies;
         this.thread = thread;
         this.changed = changed;
+        this.alarm = alarm;
+        watched = new WatchedParameters(base, id, thread, this::changedByOthers);
     }
 
     /** Reads all of it. */
     void read() {
+        watched.forget();
         readAction(why -> {});
         read(TIMEOUT, seconds -> timeoutS = Optional.of(seconds), () -> {});
         read(
                 STATION,
                 number -> heeds(STATION, number),
                 () -> read(EARLIER_STATION, number -> heeds(EARLIER_STATION, number), () -> {}));
+    }
+
+    /** A base has come: what it was read to do may be another since. */
+    void askSoon() {
+        watched.askSoon();
+    }
+
+    /** The vehicle has said what a parameter is, to whomever. */
+    void reported(String name, double value) {
+        watched.reported(name, value);
+    }
+
+    void tick(long atMs, boolean isCommanded) {
+        watched.tick(atMs, isCommanded);
+    }
+
+    private void changedByOthers(String name, double value, String words) {
+        alarm.accept("what vehicle " + id + " does when its link is lost was changed by somebody else: " + words);
+        switch (name) {
+            case ENABLE -> {
+                watched.pause();
+                readAction(why -> watched.resume());
+            }
+            case ACTION -> action = Optional.of(whole(value));
+            case TIMEOUT -> timeoutS = Optional.of(value);
+            default -> heeds(name, value);
+        }
+        changed.run();
     }
 
     private void heeds(String name, double number) {
@@ -78,6 +113,7 @@ final class VehicleFailsafe {
                 base.parameter(id, name),
                 thread,
                 read -> {
+                    watched.holds(name, read);
                     value.accept(read);
                     changed.run();
                 },
@@ -90,6 +126,7 @@ final class VehicleFailsafe {
                 base.parameter(id, ENABLE),
                 thread,
                 failsafe -> {
+                    watched.holds(ENABLE, failsafe);
                     if (flies || whole(failsafe) == OFF) {
                         enable = Optional.of(whole(failsafe));
                         changed.run();
@@ -106,6 +143,7 @@ final class VehicleFailsafe {
                 base.parameter(id, ACTION),
                 thread,
                 number -> {
+                    watched.holds(ACTION, number);
                     enable = Optional.of(whole(failsafe));
                     action = Optional.of(whole(number));
                     changed.run();
@@ -174,10 +212,21 @@ final class VehicleFailsafe {
     }
 
     /** Sets what it does when its ground station is lost; {@code ended} receives why it could not be set, or nothing where it was read back. */
-    void set(LostLinkAction wanted, Consumer<Optional<String>> ended) {
+    void set(LostLinkAction wanted, Consumer<Optional<String>> told) {
         if (heedsAnother() && wanted != LostLinkAction.CONTINUE) {
-            ended.accept(Optional.of("vehicle " + id + " does not heed this base: " + anotherWords()));
-        } else if (flies) {
+            told.accept(Optional.of("vehicle " + id + " does not heed this base: " + anotherWords()));
+            return;
+        }
+        watched.pause();
+        Consumer<Optional<String>> ended = why -> {
+            if (why.isPresent()) { // a part of it may be set
+                readAction(unread -> watched.resume());
+            } else {
+                watched.resume();
+            }
+            told.accept(why);
+        };
+        if (flies) {
             set(ENABLE, ofCopter(wanted), () -> readBack(wanted, ended), ended);
         } else if (wanted == LostLinkAction.CONTINUE) {
             set(ENABLE, OFF, () -> readBack(wanted, ended), ended);

@@ -27,6 +27,8 @@ final class VehicleFence {
     private static final long AREAS_COME_MS = 10_000; // a session may load its project after it commands the vehicle
     private static final String ENABLE = "FENCE_ENABLE";
     private static final String TYPE = "FENCE_TYPE";
+    private static final String TOTAL =
+            "FENCE_TOTAL"; // how much it holds; another station that clears or replaces it changes that
     private static final int CIRCLE = 2;
     private static final int POLYGONS = 4;
     private static final int HOLD_BOAT = 2; // its mode HOLD: motors off
@@ -46,6 +48,9 @@ final class VehicleFence {
     private boolean busy;
     private long notBeforeMs;
     private String lastFault = "";
+    private final WatchedParameters watched;
+    private long nowMs;
+    private long changedMs = -AGAIN_MS; // when others were last seen to have changed it
 
     /** The parameters of a fence in force, in the order in which they are set: each new value by the present one. */
     private Map<String, IntUnaryOperator> inForce() {
@@ -79,6 +84,7 @@ final class VehicleFence {
         this.alarm = alarm;
         this.given = given;
         this.keep = keep;
+        watched = new WatchedParameters(base, id, thread, this::changedByOthers);
     }
 
     /** The fence that it is to hold from now on; empty for none of the session's. */
@@ -91,14 +97,39 @@ final class VehicleFence {
     /** Its autopilot has started again: what it holds is compared once more. */
     void restarted() {
         settled = Optional.empty();
+        watched.forget();
+    }
+
+    /** A base has come: what the vehicle was read to hold may be another since. */
+    void askSoon() {
+        watched.askSoon();
+    }
+
+    /** The vehicle has said what a parameter is, to whomever. */
+    void reported(String name, double value) {
+        watched.reported(name, value);
+    }
+
+    private void changedByOthers(String name, double value, String words) {
+        if (settled.isPresent() && !busy) {
+            settled = Optional.empty();
+            notBeforeMs = changedMs + AGAIN_MS; // two stations that set it in turn do not fill the link
+            changedMs = nowMs;
+            alarm.accept("the fence of vehicle " + id + " was changed by somebody else (" + words
+                    + "); that of this session is set again");
+        }
     }
 
     /** Brings the vehicle to hold the fence that is asked for, as long as the base commands it. To be called often. */
     void tick(long atMs, boolean isCommanded) {
+        nowMs = atMs;
+        watched.tick(atMs, isCommanded && !busy);
         commandedMs = isCommanded ? Optional.of(commandedMs.orElse(atMs)) : Optional.empty();
         boolean nothingToDo = wanted.isEmpty() && (given.isEmpty() || mayAreasCome(atMs));
         if (isCommanded && !busy && !nothingToDo && atMs >= notBeforeMs && !settled.equals(Optional.of(wanted))) {
             busy = true;
+            watched.pause();
+            watched.forget();
             notBeforeMs = atMs + AGAIN_MS;
             List<MissionItem> fence = wanted;
             Results.when(base.held(id, HeldKind.FENCE), thread, held -> compare(fence, held), this::failed);
@@ -159,6 +190,7 @@ final class VehicleFence {
                 now -> {
                     int present = (int) Math.round(now);
                     int asked = value.getValue().applyAsInt(present);
+                    watched.holds(value.getKey(), asked);
                     if (present == asked) {
                         set(values, then);
                     } else {
@@ -192,6 +224,18 @@ final class VehicleFence {
         notBeforeMs = 0;
         lastFault = "";
         settled = Optional.of(fence);
+        if (fence.isEmpty()) {
+            watched.forget();
+        } else {
+            watched.resume();
+            Results.when(base.parameter(id, TOTAL), thread, this::holds, unknown -> {}); // not all firmware says it
+        }
+    }
+
+    private void holds(double total) {
+        if (settled.isPresent() && !busy) {
+            watched.holds(TOTAL, total);
+        }
     }
 
     private void failed(String why) {

@@ -3,6 +3,7 @@ package org.sami.crw.mavlink;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.vehicle.VehicleId;
 
@@ -27,13 +28,21 @@ final class VehicleSettings {
      *
      * @param whose tells this vehicle's starts from those of others that had its id; empty where none had
      * @param changed called when what it does without a link is known, or is another
+     * @param alarm receives what others have changed, in words for the operator
      */
-    VehicleSettings(MavlinkBase base, VehicleId id, String whose, boolean flies, Executor thread, Runnable changed) {
+    VehicleSettings(
+            MavlinkBase base,
+            VehicleId id,
+            String whose,
+            boolean flies,
+            Executor thread,
+            Runnable changed,
+            Consumer<String> alarm) {
         this.base = base;
         this.id = id;
         this.whose = whose;
         this.thread = thread;
-        failsafe = new VehicleFailsafe(base, id, flies, thread, changed);
+        failsafe = new VehicleFailsafe(base, id, flies, thread, changed, alarm);
         read();
     }
 

@@ -61,6 +61,28 @@ class VehicleFailsafeTest {
             assertThat(boat.parameter("FS_GCS_ENABLE")).isEqualTo(1);
             assertThat(boat.parameter("FS_ACTION")).isEqualTo(3);
             says(client, LostLinkAction.RETURN, "FS_GCS_ENABLE 1, FS_ACTION 3, after 5 s");
+            assertThat(client.hasAlarm("somebody else")).isFalse();
+        } finally {
+            client.close();
+        }
+    }
+
+    @Test
+    void whatAnotherStationSetsIsAnAlarmAndInForce() {
+        boat.parameter("FS_GCS_ENABLE", 1);
+        boat.parameter("FS_ACTION", 1);
+        LinkClient client = linked();
+        try {
+            says(client, LostLinkAction.RETURN, "FS_GCS_ENABLE 1, FS_ACTION 1");
+
+            boat.setByAnother("FS_GCS_ENABLE", 0);
+
+            client.untilAlarm("what vehicle 5 does when its link is lost was changed by somebody else: FS_GCS_ENABLE 0,"
+                    + " before 1");
+            says(client, LostLinkAction.CONTINUE, "FS_GCS_ENABLE 0");
+            assertThat(client.ask(new SetLostLinkAction("hold", LostLinkAction.HOLD)))
+                    .isInstanceOf(Ack.class);
+            says(client, LostLinkAction.HOLD, "FS_GCS_ENABLE 1, FS_ACTION 6");
         } finally {
             client.close();
         }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.server.testing.Await;
+import org.sami.boat.server.testing.ProcessClock;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.testing.SmallBoat;
 import org.sami.spn.value.GeoArea;
@@ -23,6 +24,8 @@ class VehicleFenceTest {
     private static final GeoArea WATER = SquareArea.of(45.69, 10.71, 0.02);
     private static final GeoArea ROCK = SquareArea.of(45.701, 10.721, 0.001);
     private static final List<MissionItem> FENCE = FenceItems.of(Optional.of(WATER), List.of(ROCK));
+
+    private static final long LONG_MS = 15_000;
 
     @TempDir
     private Path folder;
@@ -122,6 +125,37 @@ class VehicleFenceTest {
         boat.fence().outside(true);
 
         client.untilAlarm("mav5 says that it is outside of its own fence");
+    }
+
+    @Test
+    void fenceThatAnotherStationSwitchesOffIsAnAlarmAndSetAgain() {
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+        isInForce();
+
+        Await.until("it is told", () -> {
+            if (boat.parameter("FENCE_ENABLE") == 1) { // the base may not have read before that it is
+                boat.setByAnother("FENCE_ENABLE", 0);
+            }
+            return client.hasAlarm("the fence of vehicle 5 was changed by somebody else (FENCE_ENABLE 0, before 1)");
+        });
+
+        isInForce();
+        assertThat(FenceItems.isHeld(FENCE, boat.fence().items())).isTrue();
+    }
+
+    @Test
+    void fenceThatAnotherStationClearsIsFoundAsABaseComes() {
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+        isInForce();
+        long readMs = ProcessClock.ms();
+        Await.until("it is a while ago that it was read", () -> ProcessClock.ms() - readMs > LONG_MS);
+
+        boat.fence().put(List.of());
+        client.reconnect();
+
+        client.untilAlarm("the fence of vehicle 5 was changed by somebody else (FENCE_TOTAL 0, before 8)");
+        Await.until(
+                "it has it again", () -> FenceItems.isHeld(FENCE, boat.fence().items()));
     }
 
     @Test

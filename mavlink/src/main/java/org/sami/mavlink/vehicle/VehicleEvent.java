@@ -39,6 +39,9 @@ public sealed interface VehicleEvent {
     /** A sensor has a value. */
     record Measured(VehicleId vehicle, VehicleReading reading) implements VehicleEvent {}
 
+    /** It says what one of its parameters is: to who asked, or to all as somebody has set it. */
+    record ParameterReported(VehicleId vehicle, String name, double value) implements VehicleEvent {}
+
     /**
      * Its camera was triggered, whoever asked for it.
      *

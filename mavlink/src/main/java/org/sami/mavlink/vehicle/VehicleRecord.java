@@ -8,6 +8,7 @@ import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.GpsRawInt;
 import io.dronefleet.mavlink.common.MissionCurrent;
 import io.dronefleet.mavlink.common.MissionItemReached;
+import io.dronefleet.mavlink.common.ParamValue;
 import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
@@ -167,6 +168,8 @@ final class VehicleRecord {
             health = health.withFence(fence.breachStatus() != 0);
         } else if (payload instanceof MissionCurrent current && current.seq() < MOST_ITEMS) {
             current(current, nowMs, events);
+        } else if (payload instanceof ParamValue parameter) {
+            events.add(new VehicleEvent.ParameterReported(id, parameter.paramId(), parameter.paramValue()));
         } else {
             VehicleReadings.of(payload).forEach(reading -> events.add(new VehicleEvent.Measured(id, reading)));
         }

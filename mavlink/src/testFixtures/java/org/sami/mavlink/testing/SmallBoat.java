@@ -316,6 +316,7 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private void take(Object message) {
+        parameters.set("FENCE_TOTAL", fence.items().size());
         if (message instanceof CommandLong command
                 && command.command().value() != SEND_EVERY
                 && command.command().value() != REQUEST_MESSAGE
@@ -442,7 +443,6 @@ public final class SmallBoat implements AutoCloseable {
         }
         bootMs += STEP_MS;
         fence.tick(bootMs);
-        parameters.set("FENCE_TOTAL", fence.items().size());
         mission.question().ifPresent(this::send);
         boolean beginsAgain = mission.takeChange() && armed && mode == SmallBoatMotion.AUTO;
         if (beginsAgain) {
