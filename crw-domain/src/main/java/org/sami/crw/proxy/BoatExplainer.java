@@ -65,7 +65,15 @@ final class BoatExplainer {
         if (obstacle.filter(one -> one.cause() == Cause.LINK_LOST).isPresent()) {
             return outOfReach(obstacle.get());
         } else if (obstacle.filter(one -> one.cause() == Cause.TAKEN_OVER).isPresent()) {
-            return new BoatExplanation(false, Cause.TAKEN_OVER, boatId + " is driven by hand" + counted());
+            boolean says = condition.status.mode().equals(Optional.of(BoatMode.TELEOPERATION));
+            return new BoatExplanation(
+                    false,
+                    Cause.TAKEN_OVER,
+                    boatId
+                            + (says
+                                    ? " is driven by hand"
+                                    : " is kept for a person, and does not say that it is driven by hand")
+                            + counted());
         } else if (obstacle.isPresent()) {
             return still(obstacle.get().cause(), obstacle.get().text() + counted());
         } else if (isBatteryEmpty()) {

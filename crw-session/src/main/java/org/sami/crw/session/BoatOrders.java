@@ -15,6 +15,7 @@ import org.sami.crw.operator.OperatorLogEntry.Kind;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.crw.proxy.status.StopLatch;
 import org.sami.session.api.RefusedException;
 
 /**
@@ -95,6 +96,9 @@ final class BoatOrders {
                 throw new RefusedException("the session ends: boats are driven by hand no longer");
             }
             checkCommanding(proxy);
+            if (proxy.stop().where() != StopLatch.Where.NOWHERE) {
+                throw new RefusedException(boat + " is stopped, release it first");
+            }
             if (!proxy.isTakenOver()) { // it is driven many times a second
                 log.add(Kind.BOAT, "drives " + boat + " by hand", boat);
             }
