@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.concurrent.CompletionStage;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import org.sami.boat.link.BoatMode;
 import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.FleetCount;
@@ -19,6 +20,7 @@ import org.sami.spn.value.GeoPoint;
 /** Commands about boats: which there are, and what a person does with them by hand. */
 final class BoatCommands {
     private static final double LONGEST_DRIVE_S = 600;
+    private static final double SAYS_WITHIN_S = 1; // how it is; the dead man's time is longer
 
     private final ConsoleContext context;
 
@@ -214,12 +216,29 @@ final class BoatCommands {
                     "a boat is driven for up to " + Numbers.short1(LONGEST_DRIVE_S) + " s, not " + seconds);
         }
         long end = System.nanoTime() + (long) (seconds * 1e9);
+        boolean driven = false;
         for (long left = end - System.nanoTime(); left > 0; left = end - System.nanoTime()) {
             context.await(fleet().teleoperate(boat, thrust, rudder));
+            driven |= isByHand(boat);
             context.until(() -> false, Math.min(left / 1e9, FrontFleet.DRIVE_MS / 1e3));
         }
         context.await(fleet().teleoperate(boat, 0, 0));
+        driven |= context.until(() -> isByHand(boat), SAYS_WITHIN_S);
+        if (!driven) {
+            throw new ConsoleFault(boat + " has not said that it is driven by hand; the messages say why, where it"
+                    + " does. Missions do not have it before: back " + boat);
+        }
         out.accept(boat + " was driven for " + Numbers.short1(seconds) + " s; give it back with: back " + boat);
+    }
+
+    /** Whether the boat says so. */
+    private boolean isByHand(String boat) {
+        return context.models()
+                .fleet()
+                .boat(boat)
+                .flatMap(BoatSnapshot::mode)
+                .filter(BoatMode.TELEOPERATION::equals)
+                .isPresent();
     }
 
     private void stop(Arguments arguments, Consumer<String> out) {

@@ -251,6 +251,22 @@ class SessionCommandTest {
     }
 
     @Test
+    void boatThatIsStoppedIsNotSaidToBeDriven() throws IOException {
+        try (BoatOnTcp anna = boat("anna")) {
+            CommandResult ran = session(
+                    List.of("--connect", address(anna)),
+                    "wait boats 1 within 120",
+                    "stop all",
+                    "drive anna 0.5 0 1",
+                    "release all");
+
+            assertThat(ran.out() + ran.err())
+                    .contains("anna is stopped, release it first")
+                    .doesNotContain("was driven");
+        }
+    }
+
+    @Test
     void mendedProjectIsLoadedBesideARunningMissionAndGlobalsAreSaved() throws IOException {
         Path project = Files.writeString(folder.resolve("lake.json"), LAKE);
         Path mended = Files.writeString(folder.resolve("mended.json"), LAKE.replace("\"End\"", "\"The end\""));
