@@ -276,9 +276,8 @@ public final class MavlinkBase implements AutoCloseable {
                 asking.renew(id, now);
             }
         }
-        boolean signed = message.signed(); // with the right key, or the link had refused it
         if (!table.isForeign(id, from)) {
-            requests.take(id, message.payload(), signed, events, now);
+            requests.take(id, message, events, now); // signed with the right key, or the link had refused it
         }
         tell(events);
         if (events.stream().anyMatch(VehicleEvent.Replaced.class::isInstance)) {

@@ -38,8 +38,12 @@ final class VehicleExchanges {
         return parameters;
     }
 
-    /** Takes what the vehicle sent, and what happened to it by that. */
-    void take(Object message, List<VehicleEvent> events, long nowMs) {
+    /**
+     * Takes what the vehicle sent, and what happened to it by that.
+     *
+     * @param number the vehicle's number of the message
+     */
+    void take(Object message, int number, List<VehicleEvent> events, long nowMs) {
         for (VehicleEvent event : events) {
             if (event instanceof VehicleEvent.Said said) {
                 commands.heard(said.text());
@@ -51,7 +55,7 @@ final class VehicleExchanges {
             return; // else a disarm would end with the answer to a pilot who arms
         }
         commands.take(message, nowMs);
-        lists.take(message, nowMs);
+        lists.take(message, number, nowMs);
         parameters.take(message, nowMs);
     }
 

@@ -12,6 +12,7 @@ import org.sami.mavlink.command.CommandMessages;
 import org.sami.mavlink.command.CommandOutcome;
 import org.sami.mavlink.command.PendingCommands;
 import org.sami.mavlink.command.VehicleCommand;
+import org.sami.mavlink.link.ReceivedMessage;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.param.VehicleParameters;
@@ -120,16 +121,16 @@ final class VehicleRequests {
     }
 
     /**
-     * Receives what a vehicle has sent.
+     * Receives what a vehicle has sent; one that is signed has a valid signature.
      *
-     * @param signed whether the message has a valid signature
      * @param events what happened to the vehicle by it
      */
-    void take(VehicleId vehicle, Object message, boolean signed, List<VehicleEvent> events, long now) {
-        if (signed) {
+    void take(VehicleId vehicle, ReceivedMessage message, List<VehicleEvent> events, long now) {
+        if (message.signed()) {
             Optional.ofNullable(keys.get(vehicle)).ifPresent(KeyGiving::signed);
         }
-        Optional.ofNullable(exchanges.get(vehicle)).ifPresent(open -> open.take(message, events, now));
+        Optional.ofNullable(exchanges.get(vehicle))
+                .ifPresent(open -> open.take(message.payload(), message.number(), events, now));
     }
 
     /** A vehicle's autopilot has started again. */

@@ -18,6 +18,7 @@ public final class HeldLists {
     private final Consumer<Object> send;
     private final Map<HeldKind, List<MissionItem>> known = new EnumMap<>(HeldKind.class);
     private final Deque<Waiting> waiting = new ArrayDeque<>();
+    private final RepeatedAnswers answers = new RepeatedAnswers();
 
     /** A transfer that is made when its turn comes, what it brings, and who waits for it. */
     private static final class Waiting {
@@ -78,8 +79,15 @@ public final class HeldLists {
         known.clear();
     }
 
-    /** Takes what the vehicle sent. */
-    public void take(Object message, long nowMs) {
+    /**
+     * Takes what the vehicle sent. An answer that comes once more, as its datagram was doubled on the way, changes nothing: it would count for the next transfer.
+     *
+     * @param number the vehicle's number of the message ({@link org.sami.mavlink.link.ReceivedMessage})
+     */
+    public void take(Object message, int number, long nowMs) {
+        if (answers.isRepeated(message, number, nowMs)) {
+            return;
+        }
         now().ifPresent(transfer -> transfer.take(message, nowMs));
         goOn(nowMs);
     }

@@ -33,8 +33,10 @@ class VehicleExchangesTest {
     private final List<CommandOutcome> ended = new ArrayList<>();
     private final VehicleExchanges vehicle = new VehicleExchanges(new VehicleId(3, 1), Optional.empty(), sent::add);
 
+    private int messages;
+
     private void says(Object message) {
-        vehicle.take(message, List.of(), 0);
+        vehicle.take(message, messages++, List.of(), 0);
     }
 
     private static CommandAck answer(int system, int component) {

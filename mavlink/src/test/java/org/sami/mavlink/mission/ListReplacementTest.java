@@ -35,7 +35,8 @@ class ListReplacementTest {
     private final List<Object> sent = new ArrayList<>();
     private final List<HeldKind> changed = new ArrayList<>();
     private BadRadio<Object> up = new BadRadio<>(1, 0, 0, 1, 0);
-    private BadRadio<Object> down = new BadRadio<>(2, 0, 0, 1, 0);
+    private BadRadio<Numbered> down = new BadRadio<>(2, 0, 0, 1, 0);
+    private int messages; // of the vehicle
     private long nowMs;
     private Optional<ListKeeper.Refusal> refusal = Optional.empty();
 
@@ -44,6 +45,9 @@ class ListReplacementTest {
         up.send(message, nowMs);
     });
     private OnboardLists vehicle = vehicle(650);
+
+    /** A message of the vehicle, with its number. */
+    private record Numbered(int number, Object message) {}
 
     private OnboardLists vehicle(int capacity) {
         ListKeeper keeper = new ListKeeper() {
@@ -57,7 +61,8 @@ class ListReplacementTest {
                 changed.add(kind);
             }
         };
-        return new OnboardLists(capacity, PACE_MS, keeper, message -> down.send(message, nowMs));
+        return new OnboardLists(
+                capacity, PACE_MS, keeper, message -> down.send(new Numbered(messages++ % 256, message), nowMs));
     }
 
     private static List<MissionItem> mission(int items) {
@@ -83,7 +88,7 @@ class ListReplacementTest {
             nowMs++;
             up.arrived(nowMs).forEach(message -> vehicle.take(STATION, message, nowMs));
             vehicle.tick(nowMs);
-            down.arrived(nowMs).forEach(message -> lists.take(message, nowMs));
+            down.arrived(nowMs).forEach(each -> lists.take(each.message, each.number, nowMs));
             if (nowMs % TICK_MS == 0) {
                 lists.tick(nowMs);
             }
@@ -191,6 +196,80 @@ class ListReplacementTest {
     }
 
     @Test
+    void anAnswerToOneStepThatComesTwiceIsNoAnswerToTheNextOne() {
+        HeldLists held = new HeldLists(VEHICLE, sent::add);
+        List<List<MissionItem>> three = IntStream.rangeClosed(1, 3)
+                .mapToObj(ListReplacementTest::mission)
+                .toList();
+        held.replace(HeldKind.MISSION, three, nowMs, new CompletableFuture<>());
+        held.take(request(0), 7, nowMs);
+        held.take(accepted(), 8, nowMs);
+        held.take(request(0), 9, nowMs);
+        held.take(request(1), 10, nowMs);
+        held.take(accepted(), 8, nowMs); // its datagram, doubled on the way
+
+        assertThat(sent).noneMatch(message -> message instanceof MissionCount count && count.count() == 3);
+        held.take(accepted(), 11, nowMs);
+        assertThat(sent)
+                .last()
+                .isInstanceOfSatisfying(
+                        MissionCount.class, count -> assertThat(count.count()).isEqualTo(3));
+    }
+
+    @Test
+    void anAnswerWithTheNumberOfAMuchEarlierOneCounts() {
+        HeldLists held = new HeldLists(VEHICLE, sent::add);
+        held.replace(HeldKind.MISSION, List.of(mission(1), mission(2), mission(3)), nowMs, new CompletableFuture<>());
+        held.take(request(0), 7, nowMs);
+        held.take(accepted(), 8, nowMs);
+        nowMs += 5_000;
+        held.take(request(0), 6, nowMs);
+        held.take(request(1), 7, nowMs);
+        held.take(accepted(), 8, nowMs);
+
+        assertThat(sent)
+                .last()
+                .isInstanceOfSatisfying(
+                        MissionCount.class, count -> assertThat(count.count()).isEqualTo(3));
+    }
+
+    /** Three short steps: the items of each are all sent once its first one is asked for. */
+    private static List<List<MissionItem>> shortSteps() {
+        List<MissionItem> first = new ArrayList<>(mission(400));
+        IntStream.range(200, 205).forEach(i -> first.set(i, MissionItem.waypoint(i, 45.8 + i * 1e-5, 10.8, 0, 0)));
+        List<MissionItem> second = new ArrayList<>(first);
+        second.set(199, MissionItem.waypoint(199, 45.8, 10.9, 0, 0));
+        List<MissionItem> third = new ArrayList<>(second);
+        third.set(198, MissionItem.waypoint(198, 45.8, 10.9, 0, 0));
+        return List.of(first, second, third);
+    }
+
+    @Test
+    void shortStepIsTakenBeforeTheNextOneBeginsOnARadioThatDoublesAndReorders() {
+        List<MissionItem> last = shortSteps().get(2);
+        for (int seed = 0; seed < 100; seed++) {
+            up = new BadRadio<>(seed, 0.2, 0.2, 1, 8);
+            down = new BadRadio<>(1_000 + seed, 0.2, 0.5, 1, 60);
+            vehicle = vehicle(650);
+            vehicle.put(HeldKind.MISSION, mission(400));
+            lists.forget();
+            CompletableFuture<List<MissionItem>> known = new CompletableFuture<>();
+            lists.read(HeldKind.MISSION, nowMs, known);
+            passUntilDone(known);
+            CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
+            lists.replace(HeldKind.MISSION, shortSteps(), nowMs, result);
+            while (!result.isDone()) {
+                passUntilDone(result, 5);
+                List<MissionItem> held = vehicle.held(HeldKind.MISSION);
+                if (held.get(198).isSameAs(last.get(198))) {
+                    assertThat(held).as("seed %d", seed).isEqualTo(last);
+                }
+            }
+            assertThat(result).isCompletedWithValue(last);
+        }
+    }
+
+    @Test
     void longListIsSentBeforeItIsAskedFor() {
         vehicle = vehicle(3_000);
         var result = replace(HeldKind.MISSION, mission(2_000));
@@ -211,7 +290,7 @@ class ListReplacementTest {
         up.arrived(nowMs).forEach(message -> vehicle.take(STATION, message, nowMs));
         vehicle.tick(nowMs);
         nowMs += 2;
-        down.arrived(nowMs).forEach(message -> lists.take(message, nowMs));
+        down.arrived(nowMs).forEach(each -> lists.take(each.message, each.number, nowMs));
 
         assertThat(sent).filteredOn(MissionItemInt.class::isInstance).hasSizeBetween(50, 149);
         passUntilDone(result);
@@ -337,12 +416,13 @@ class ListReplacementTest {
             sent.clear();
             for (Object message : arrived) {
                 if (message instanceof MissionClearAll) {
-                    held.take(acknowledgement(answers.remove(0)), nowMs);
+                    held.take(acknowledgement(answers.remove(0)), messages++, nowMs);
                 } else if (message instanceof MissionRequestList) {
                     held.take(
                             MissionCount.builder()
                                     .missionType(HeldKind.FENCE.type())
                                     .build(),
+                            messages++,
                             nowMs);
                 }
             }
@@ -396,7 +476,7 @@ class ListReplacementTest {
             nowMs++;
             up.arrived(nowMs).forEach(message -> vehicle.take(STATION, message, nowMs));
             vehicle.tick(nowMs);
-            down.arrived(nowMs).forEach(message -> other.take(message, nowMs));
+            down.arrived(nowMs).forEach(each -> other.take(each.message, each.number, nowMs));
             other.tick(nowMs);
         }
 
@@ -417,7 +497,8 @@ class ListReplacementTest {
             List<Object> arrived = List.copyOf(sent);
             sent.clear();
             for (Object message : arrived) {
-                refused.take(message instanceof MissionCount ? request(wanted) : invalidSequence(), nowMs);
+                refused.take(
+                        message instanceof MissionCount ? request(wanted) : invalidSequence(), messages++ % 256, nowMs);
             }
             refused.tick(nowMs);
         }
@@ -437,6 +518,13 @@ class ListReplacementTest {
                 .build();
     }
 
+    private static MissionAck accepted() {
+        return MissionAck.builder()
+                .type(MavMissionResult.MAV_MISSION_ACCEPTED)
+                .missionType(HeldKind.MISSION.type())
+                .build();
+    }
+
     private static MissionAck invalidSequence() {
         return MissionAck.builder()
                 .type(MavMissionResult.MAV_MISSION_INVALID_SEQUENCE)
@@ -451,7 +539,7 @@ class ListReplacementTest {
             nowMs++;
             up.arrived(nowMs).forEach(message -> vehicle.take(STATION, message, nowMs));
             vehicle.tick(nowMs);
-            down.arrived(nowMs).forEach(message -> lists.take(message, nowMs));
+            down.arrived(nowMs).forEach(each -> lists.take(each.message, each.number, nowMs));
         }
         up = new BadRadio<>(1, 1, 0, 1, 0);
         passUntilDone(result);
