@@ -20,6 +20,8 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
  * that was ordered, and so notices when somebody else changes it. For the gateway's thread.
  */
 final class VehiclePilot {
+    private static final String STARTS = "INITIALIZING"; // the mode of ArduPilot's boats until they have started
+    private static final long CLOCK_WITHIN_MS = 3_000;
     private static final long SEEN_WITHIN_MS = 4_000; // heartbeats, which tell mode and arming, come once a second
 
     /**
@@ -46,6 +48,9 @@ final class VehiclePilot {
     private boolean disarms; // by an order that failed: it may be off, or soon, whatever it reports
     private boolean disarmAccepted;
     private Optional<Ordered> ordered = Optional.empty(); // reported by the vehicle since
+    private Optional<Long> startsMs =
+            Optional.empty(); // since when it may have started again, before its clock says it
+    private boolean isJudged; // its clock has told that it has not
 
     VehiclePilot(MavlinkBase base, VehicleSnapshot first, Executor thread) {
         this.base = base;
@@ -255,6 +260,8 @@ final class VehiclePilot {
         void arm(Runnable next) {
             if (now.armed() && !disarms) {
                 next.run();
+            } else if (startsMs.isPresent()) {
+                await(vehicle -> startsMs.isEmpty(), "finish its start", () -> arm(next));
             } else {
                 disarms = false; // this command takes the place of the one that disarms
                 modes.add(now.mode());
@@ -329,6 +336,8 @@ final class VehiclePilot {
 
     /** Forgets the running order and the ordered state. */
     void release() {
+        startsMs = Optional.empty();
+        isJudged = false;
         running = Optional.empty();
         ordered = Optional.empty();
     }
@@ -347,10 +356,34 @@ final class VehiclePilot {
         now = vehicle;
         nowMs = atMs;
         disarms &= vehicle.armed() || !disarmAccepted;
+        judgeStart();
         running.ifPresent(Order::look);
         if (hasLanded()) { // whoever starts its motors again is somebody else
             ordered = ordered.map(state -> new Ordered(state.mode(), false));
         }
-        return ordered.filter(state -> !state.isSo(vehicle)).isPresent();
+        return isOther() && (vehicle.armed() || startsMs.isEmpty());
+    }
+
+    private boolean isOther() {
+        return ordered.filter(state -> !state.isSo(now)).isPresent();
+    }
+
+    /**
+     * An autopilot that has started again is disarmed, and may say that before its clock does, which comes with its position. Until then nobody has taken it, and
+     * nothing arms it: its operator has not allowed it yet.
+     */
+    private void judgeStart() {
+        if (now.mode().equals(STARTS)) {
+            startsMs = Optional.of(nowMs);
+        } else if (startsMs.isPresent()) {
+            long sinceMs = startsMs.get();
+            boolean hasClock =
+                    now.position().filter(at -> at.heardMs() > sinceMs).isPresent();
+            isJudged = hasClock || now.armed() || nowMs - sinceMs >= CLOCK_WITHIN_MS;
+            startsMs = startsMs.filter(since -> !isJudged);
+        } else if (isOther() && !now.armed() && !isJudged) {
+            startsMs = Optional.of(nowMs);
+        }
+        isJudged &= isOther();
     }
 }

@@ -6,7 +6,10 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 
 /** Processes of ArduPilot's simulator with the real firmware of boats, or of copters, if it is installed next to the project. Their numbers give system ids and ports. */
 public final class ArduPilotBoats implements AutoCloseable {
@@ -14,6 +17,9 @@ public final class ArduPilotBoats implements AutoCloseable {
     private static final int FIRST_PORT = 5760;
     private static final int APART = 10;
     private static final int SECOND_LINK = 2;
+    private static final double NEXT_DEG = 0.0003; // of longitude, between two
+    private static final int ALTITUDE_M = 65;
+    private static final String CALM = "SIM_WIND_SPD 0\nSIM_WAVE_ENABLE 0\n";
 
     private final Process process;
 
@@ -25,7 +31,27 @@ public final class ArduPilotBoats implements AutoCloseable {
      * @param work a folder for their parameters and logs
      */
     public ArduPilotBoats(int first, int count, int speed, Path work) throws IOException {
-        this("boat", first, count, speed, work, "");
+        this("boat", first, count, speed, work, "", Map.of());
+    }
+
+    /**
+     * Starts one boat at a place on calm water, where a boat that is not driven does not drift for long. It sends to a port of UDP on this machine in place of its
+     * first link.
+     *
+     * @param headingDeg from north clockwise
+     */
+    public static ArduPilotBoats sending(
+            int udpPort, double latDeg, double lonDeg, double headingDeg, int number, int speed, Path work)
+            throws IOException {
+        double westDeg = number * NEXT_DEG; // where the first of them would be
+        String home = String.format(
+                Locale.ROOT, "%.7f,%.7f,%d,%.1f", latDeg, lonDeg - westDeg, ALTITUDE_M, (headingDeg + 360) % 360);
+        requireFree(secondPort(number)); // else the boat of another one would be heard there
+        String calm = Files.writeString(work.resolve("calm.parm"), CALM)
+                .toAbsolutePath()
+                .toString();
+        return new ArduPilotBoats(
+                "boat", number, 1, speed, work, calm, Map.of("UDP", "127.0.0.1:" + udpPort, "HOME_AT", home));
     }
 
     /**
@@ -37,12 +63,12 @@ public final class ArduPilotBoats implements AutoCloseable {
             throws IOException {
         Path file = Files.writeString(work.resolve("other.parm"), parameters);
         return new ArduPilotBoats(
-                "boat", first, count, speed, work, file.toAbsolutePath().toString());
+                "boat", first, count, speed, work, file.toAbsolutePath().toString(), Map.of());
     }
 
     /** Starts copters, as the constructor starts boats. */
     public static ArduPilotBoats copters(int first, int count, int speed, Path work) throws IOException {
-        return new ArduPilotBoats("copter", first, count, speed, work, "");
+        return new ArduPilotBoats("copter", first, count, speed, work, "", Map.of());
     }
 
     /**
@@ -53,10 +79,11 @@ public final class ArduPilotBoats implements AutoCloseable {
      */
     public static ArduPilotBoats of(String kind, int number, int speed, Path work, Path parameters) throws IOException {
         return new ArduPilotBoats(
-                kind, number, 1, speed, work, parameters.toAbsolutePath().toString());
+                kind, number, 1, speed, work, parameters.toAbsolutePath().toString(), Map.of());
     }
 
-    private ArduPilotBoats(String kind, int first, int count, int speed, Path work, String parameters)
+    private ArduPilotBoats(
+            String kind, int first, int count, int speed, Path work, String parameters, Map<String, String> further)
             throws IOException {
         for (int number = first; number < first + count; number++) {
             requireFree(firstPort(number));
@@ -69,6 +96,7 @@ public final class ArduPilotBoats implements AutoCloseable {
         builder.environment().put("FIRST", Integer.toString(first));
         builder.environment().put("WORK", work.toAbsolutePath().toString());
         builder.environment().put("PARAMS", parameters);
+        builder.environment().putAll(further);
         process = builder.start();
     }
 
@@ -109,6 +137,20 @@ public final class ArduPilotBoats implements AutoCloseable {
     /** The port of its third link. */
     public static int thirdPort(int number) {
         return secondPort(number) + 1;
+    }
+
+    /** The processes of their firmware. */
+    public Stream<ProcessHandle> firmware() {
+        return process.children()
+                .filter(each -> Path.of(each.info().command().orElse("none"))
+                        .getFileName()
+                        .toString()
+                        .startsWith("ardu"));
+    }
+
+    /** Waits until all of them have ended, as after the end of their firmware. */
+    public void awaitEnd() throws InterruptedException {
+        process.waitFor();
     }
 
     /** Ends them. */

@@ -6,8 +6,10 @@ import io.dronefleet.mavlink.ardupilotmega.ArdupilotmegaDialect;
 import io.dronefleet.mavlink.ardupilotmega.Simstate;
 import io.dronefleet.mavlink.common.CommandLong;
 import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
+import io.dronefleet.mavlink.minimal.MavModeFlag;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;
@@ -25,11 +27,15 @@ public final class SimulatorTruth implements AutoCloseable {
     private static final float EVERY_US = 100_000;
     private static final double METRES = 0.0111319; // of a ten millionth of a degree of latitude
     private static final int GROUND = 250;
+    private static final int AUTOPILOT = 1;
     private static final double GAP_M = 5; // reports of a vehicle at 3 m/s are 0.3 m apart
 
     private final Socket socket;
     private final List<int[]> track = new ArrayList<>();
+    private final List<String> texts = new ArrayList<>();
     private final List<Long> heardNs = new ArrayList<>(); // when each was heard, on this process's clock
+    private double headingRad;
+    private boolean armed;
     private volatile boolean isClosed;
     private volatile String ended = ""; // why nothing is heard any longer
 
@@ -64,16 +70,49 @@ public final class SimulatorTruth implements AutoCloseable {
             for (MavlinkMessage<?> message = codec.next(); message != null; message = codec.next()) {
                 if (message.getPayload() instanceof Heartbeat && samples() == 0) {
                     ask(codec, system); // a vehicle that starts forgets what it was asked before
-                } else if (message.getPayload() instanceof Simstate state) {
-                    synchronized (track) {
-                        track.add(new int[] {state.lat(), state.lng()});
-                        heardNs.add(System.nanoTime());
-                    }
+                }
+                if (message.getOriginSystemId() == system && message.getOriginComponentId() == AUTOPILOT) {
+                    take(message.getPayload());
                 }
             }
             ended = "its simulator has ended the link";
         } catch (IOException | RuntimeException e) {
             ended = isClosed ? "" : String.valueOf(e);
+        }
+    }
+
+    private void take(Object message) {
+        synchronized (track) {
+            if (message instanceof Simstate state) {
+                track.add(new int[] {state.lat(), state.lng()});
+                heardNs.add(System.nanoTime());
+                headingRad = state.yaw();
+            } else if (message instanceof Heartbeat beat) {
+                armed = beat.baseMode().flagsEnabled(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED);
+            } else if (message instanceof Statustext text) {
+                texts.add(text.text());
+            }
+        }
+    }
+
+    /** How often its autopilot has said a text that begins so since this began to listen. */
+    public int said(String words) {
+        synchronized (track) {
+            return (int) texts.stream().filter(text -> text.startsWith(words)).count();
+        }
+    }
+
+    /** Whether its motors may turn, by its last heartbeat, which comes once a second of its own time. */
+    public boolean isArmed() {
+        synchronized (track) {
+            return armed;
+        }
+    }
+
+    /** Its heading in its last report, in degrees from north clockwise. */
+    public double headingDeg() {
+        synchronized (track) {
+            return Math.toDegrees(headingRad);
         }
     }
 

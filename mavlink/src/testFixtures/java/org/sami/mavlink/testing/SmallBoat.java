@@ -283,6 +283,7 @@ public final class SmallBoat implements AutoCloseable {
         parameters.set("STAT_BOOTCNT", parameters.value("STAT_BOOTCNT") + 1);
         failsafe = false;
         reports.batteryFails(false);
+        reports.restarts();
     }
 
     /** Its autopilot has no power from now on. */

@@ -21,6 +21,7 @@ public final class SmallBoatReports {
     private static final int ALL_EVERY = 4; // steps
     private static final int POSITION_EVERY = 5; // steps, where it reports as seldom as a base asks for
     private static final int ALL_SELDOM_EVERY = 20;
+    private static final int INITIALIZING = 16; // the number of that mode
     private static final int LOCATED = 16;
 
     private final Consumer<Object> send;
@@ -34,6 +35,8 @@ public final class SmallBoatReports {
     private double claimedMps; // reported in place of its speed
     private int charge = 87;
     private boolean batteryFails;
+    private int startBeats;
+    private int beatsLeft; // before it says where it is
     private long steps;
 
     SmallBoatReports(Consumer<Object> send) {
@@ -89,6 +92,19 @@ public final class SmallBoatReports {
         placed = false;
     }
 
+    /**
+     * From its next start on it says so many times how it is before it says where it is, as ArduPilot's boats do: it is starting, and the last time that it has
+     * started.
+     */
+    public synchronized void startsInSteps(int beats) {
+        startBeats = beats;
+    }
+
+    /** Its autopilot starts again. */
+    synchronized void restarts() {
+        beatsLeft = startBeats;
+    }
+
     /** A base has asked for its position. */
     synchronized void askedForPosition() {
         placed = true;
@@ -96,7 +112,7 @@ public final class SmallBoatReports {
 
     /** Whether it reports its position. */
     public synchronized boolean hasPosition() {
-        return placed;
+        return placed && beatsLeft == 0;
     }
 
     /** Its filter has no position from now on. */
@@ -123,7 +139,7 @@ public final class SmallBoatReports {
     synchronized void step(State now) {
         long step = steps++;
         if (seldom && step % ALL_SELDOM_EVERY != 0) {
-            if (placed && step % POSITION_EVERY == 0) {
+            if (hasPosition() && step % POSITION_EVERY == 0) {
                 sendPosition(now);
             }
         } else if (step % (seldom ? ALL_SELDOM_EVERY : ALL_EVERY) == 0) {
@@ -135,10 +151,11 @@ public final class SmallBoatReports {
         if (beating) {
             sendHeartbeat(now);
         }
-        if (placed) {
+        if (hasPosition()) {
             sendPosition(now);
         }
         EnumValue<MavSysStatusSensor> battery = EnumValue.of(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY);
+        beatsLeft = Math.max(0, beatsLeft - 1);
         send.accept(SysStatus.builder()
                 .onboardControlSensorsPresent(battery)
                 .onboardControlSensorsEnabled(battery)
@@ -170,7 +187,7 @@ public final class SmallBoatReports {
                 .type(type)
                 .autopilot(autopilot)
                 .baseMode(now.armed() ? EnumValue.of(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED) : EnumValue.create(0))
-                .customMode(now.mode())
+                .customMode(beatsLeft > 1 ? INITIALIZING : now.mode())
                 .systemStatus(now.failsafe() ? MavState.MAV_STATE_CRITICAL : MavState.MAV_STATE_ACTIVE)
                 .mavlinkVersion(3)
                 .build());
@@ -178,7 +195,7 @@ public final class SmallBoatReports {
 
     /** It was at a place within this step, from which it may have gone on; in 1e-7 degrees. */
     synchronized void passed(int lat, int lon, long bootMs, SmallBoatMotion motion) {
-        if (placed && !seldom) {
+        if (hasPosition() && !seldom) {
             sendPosition(lat, lon, bootMs, claimedMps > 0 ? claimedMps : motion.speed());
         }
     }

@@ -1,20 +1,33 @@
 package org.sami.mavlink.testing;
 
+import java.io.ByteArrayInputStream;
+import java.io.EOFException;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.SocketAddress;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Deque;
+import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import org.sami.mavlink.link.MessageReader;
 
-/** Stands between two that speak UDP on loopback: loses datagrams, doubles them, delays each for a time of its own so that they overtake each other, and cuts all. */
+/**
+ * Stands between two that speak MAVLink over UDP on loopback: loses datagrams, doubles them, delays each for a time of its own so that they overtake each other,
+ * cuts all, and holds all up from a message on. Safe for use by several threads.
+ */
 public final class UdpFaultProxy implements AutoCloseable {
     private static final int MAX_DATAGRAM = 2_048;
 
@@ -32,6 +45,10 @@ public final class UdpFaultProxy implements AutoCloseable {
     private double doubled;
     private int mostDelayMs;
     private boolean cut;
+    private Predicate<Object> holdsAt = message -> false;
+    private Consumer<Object> watches = message -> {};
+    private boolean held;
+    private final Deque<Runnable> waiting = new ArrayDeque<>(); // what is passed on once nothing is held up
 
     /** A proxy that passes everything on at once. */
     public UdpFaultProxy(long seed) throws IOException {
@@ -70,6 +87,38 @@ public final class UdpFaultProxy implements AutoCloseable {
         cut = now;
     }
 
+    /**
+     * Has each message of the library be seen that comes from either end, also where it is lost then.
+     *
+     * @param who called in the order in which they come, by one thread at a time
+     */
+    public synchronized void watch(Consumer<Object> who) {
+        watches = who;
+    }
+
+    /**
+     * Passes on up to the first message of which this is true, then nothing in either direction until {@link #letOn}: what comes waits, in its order.
+     *
+     * @param last called with each message of the library that is passed on, in the order in which they come, by one thread at a time
+     */
+    public synchronized void holdAt(Predicate<Object> last) {
+        holdsAt = last;
+    }
+
+    /** Whether all is held up. */
+    public synchronized boolean isHeld() {
+        return held;
+    }
+
+    /** Passes on what waits, or loses it where the link is cut, and holds nothing up any longer. */
+    public synchronized void letOn() {
+        holdsAt = message -> false;
+        held = false;
+        while (!waiting.isEmpty()) {
+            waiting.removeFirst().run();
+        }
+    }
+
     private void run(DatagramSocket from, boolean ofVehicle) {
         byte[] buffer = new byte[MAX_DATAGRAM];
         while (!from.isClosed()) {
@@ -90,11 +139,35 @@ public final class UdpFaultProxy implements AutoCloseable {
             base = Optional.of(packet.getSocketAddress());
         }
         byte[] content = Arrays.copyOf(packet.getData(), packet.getLength());
+        messages(content).forEach(watches);
+        if (held) {
+            waiting.addLast(() -> go(content, ofVehicle));
+        } else {
+            go(content, ofVehicle);
+        }
+    }
+
+    private void go(byte[] content, boolean ofVehicle) {
         if (!cut && random.nextDouble() >= loss) {
             pass(content, ofVehicle);
             if (random.nextDouble() < doubled) {
                 pass(content, ofVehicle);
             }
+            held = messages(content).stream().filter(holdsAt).count() > 0; // each is seen
+        }
+    }
+
+    private static List<Object> messages(byte[] datagram) {
+        List<Object> messages = new ArrayList<>();
+        MessageReader reader = new MessageReader(new ByteArrayInputStream(datagram), kind -> true);
+        try {
+            while (true) {
+                messages.add(reader.message(reader.next()));
+            }
+        } catch (EOFException e) {
+            return messages;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 
