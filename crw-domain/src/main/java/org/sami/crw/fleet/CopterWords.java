@@ -6,7 +6,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Texts about boats as they read of copters: what is only true on the water by its own words, then driving as flying, then the word for a boat. What
- * stands in quotes is the user's, and stays as it is. */
+ * stands in quotes is the user's, and stays as it is; so do command lines. */
 final class CopterWords {
     /** Not within a name, an address or a path: boat-2, boat.local:5001 and /home/me/boats/x.log stay as they are. */
     private static final String BEFORE = "(?<![\\w./\\\\-])";
@@ -14,7 +14,14 @@ final class CopterWords {
     private static final String AFTER = "(?!\\w|[-/\\\\]|[.:]\\w)";
 
     /** In double quotes, or in single ones that are no apostrophes. */
-    private static final Pattern QUOTED = Pattern.compile("\"[^\"\\n]*\"|(?<!\\w)'[^'\\n]*'(?!\\w)");
+    private static final String QUOTED = "\"[^\"\\n]*\"|(?<!\\w)'[^'\\n]*'(?!\\w)";
+
+    /** A command with its subcommand, options and what stands for their values, such as crw boat --mavlink ADDRESS. */
+    private static final String COMMAND_LINE =
+            "(?<![\\w./-])crw [a-z][a-z-]*(?: (?:--?[a-z][\\w-]*|[A-Z][A-Z:_]*)(?!\\w))*";
+
+    private static final Pattern KEPT =
+            Pattern.compile(QUOTED + "|" + COMMAND_LINE + "|" + RobotKind.OtherKind.BOAT_AMONG_COPTERS);
 
     private static final Map<Pattern, String> WORDS = new LinkedHashMap<>(); // longer ones first
 
@@ -63,14 +70,14 @@ final class CopterWords {
         return of(text, WORDS);
     }
 
-    /** The text with other words, apart from what stands in quotes. */
+    /** The text with other words, apart from what stands in quotes, and command lines. */
     static String of(String text, Map<Pattern, String> words) {
         StringBuilder said = new StringBuilder();
-        Matcher quoted = QUOTED.matcher(text);
+        Matcher kept = KEPT.matcher(text);
         int end = 0;
-        while (quoted.find()) {
-            said.append(replaced(text.substring(end, quoted.start()), words)).append(quoted.group());
-            end = quoted.end();
+        while (kept.find()) {
+            said.append(replaced(text.substring(end, kept.start()), words)).append(kept.group());
+            end = kept.end();
         }
         return said.append(replaced(text.substring(end), words)).toString();
     }

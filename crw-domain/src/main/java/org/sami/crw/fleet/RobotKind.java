@@ -1,5 +1,7 @@
 package org.sami.crw.fleet;
 
+import java.util.Optional;
+
 /** The kind of robots that a domain commands, with the word for them in texts. */
 public enum RobotKind {
     /** Boats on the water. */
@@ -8,6 +10,12 @@ public enum RobotKind {
     COPTER("copter"),
     /** Boats and copters in one fleet; one robot of it is one of the two. */
     ROBOT("robot");
+
+    /** What is said of robots of another kind than a session's; a text about copters keeps it as it is. */
+    static final class OtherKind {
+        static final String COPTER_AMONG_BOATS = "is a copter, and this session drives boats";
+        static final String BOAT_AMONG_COPTERS = "is a boat, and this session flies copters";
+    }
 
     private final String word;
 
@@ -41,6 +49,19 @@ public enum RobotKind {
      */
     public RobotKind of(boolean flies) {
         return this == ROBOT ? flies ? COPTER : BOAT : this;
+    }
+
+    /**
+     * Why a robot is none for plans that command this kind, as {@code is a boat, and this session flies copters}; empty where it is one.
+     *
+     * @param flies whether it does
+     */
+    public Optional<String> unfit(boolean flies) {
+        return switch (this) {
+            case ROBOT -> Optional.empty();
+            case BOAT -> flies ? Optional.of(OtherKind.COPTER_AMONG_BOATS) : Optional.empty();
+            case COPTER -> flies ? Optional.empty() : Optional.of(OtherKind.BOAT_AMONG_COPTERS);
+        };
     }
 
     /** What a simulated robot of a name is: where both kinds are together, the names of copters begin with their word. */

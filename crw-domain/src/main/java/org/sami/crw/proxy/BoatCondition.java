@@ -3,6 +3,7 @@ package org.sami.crw.proxy;
 import java.util.Optional;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.BoatPerformance;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.execution.ExpectedWayHome;
 import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
 import org.sami.crw.proxy.explanation.Obstacle;
@@ -25,6 +26,9 @@ final class BoatCondition {
 
     /** Whether it flies: then waypoints have altitudes for it. */
     boolean flies;
+
+    /** What the session's plans command. */
+    RobotKind robots = RobotKind.ROBOT;
 
     /** The last known position of the boat, with its time; empty before the first report. */
     Optional<Sighting> sighting = Optional.empty();
@@ -86,6 +90,11 @@ final class BoatCondition {
     BoatCondition(String boatId, ProxyLink link) {
         this.link = link;
         status = BoatStatus.unknown(boatId);
+    }
+
+    /** Why plans cannot command it; empty where they can, and before its first report. */
+    Optional<String> unfit() {
+        return status.pose().isEmpty() ? Optional.empty() : robots.unfit(flies);
     }
 
     /** Takes the time of a call; an earlier one than before changes nothing. */

@@ -76,6 +76,9 @@ final class BoatExplainer {
                             + counted());
         } else if (obstacle.isPresent()) {
             return still(obstacle.get().cause(), obstacle.get().text() + counted());
+        } else if (condition.unfit().isPresent() && driver.queue().size() == 0) {
+            return new BoatExplanation(
+                    false, Cause.OTHER_KIND, boatId + " " + condition.unfit().get());
         } else if (isBatteryEmpty()) {
             return still(Cause.BATTERY_EMPTY, "its battery is empty" + wanted());
         } else if (driver.isHolding()) {

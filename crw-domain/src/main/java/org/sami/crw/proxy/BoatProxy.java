@@ -15,6 +15,7 @@ import org.sami.boat.link.WithdrawKeys;
 import org.sami.boat.link.security.Fingerprint;
 import org.sami.crw.fleet.DeferredEvents;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.execution.CommandDriver;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.explanation.MissionTitles;
@@ -158,6 +159,16 @@ public final class BoatProxy {
     /** Whether it flies; false before its first report. */
     public boolean isFlying() {
         return condition.flies;
+    }
+
+    /** Says what the plans command that are to send it somewhere. */
+    public void servesPlansOf(RobotKind robots) {
+        condition.robots = robots;
+    }
+
+    /** Why those plans cannot command it, as {@code is a boat, and this session flies copters}; empty where they can, and before its first report. */
+    public Optional<String> unfit() {
+        return condition.unfit();
     }
 
     /** Names the boat. */

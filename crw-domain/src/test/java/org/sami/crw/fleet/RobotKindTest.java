@@ -30,10 +30,25 @@ class RobotKindTest {
                 "a boat cannot go on in 'boat place': boats' quay | a copter cannot go on in 'boat place': copters'"
                         + " take-off place",
                 "a lifeboat | a lifeboat",
-                "a boathouse | a boathouse"
+                "a boathouse | a boathouse",
+                "a boat shows itself: crw boat --mavlink ADDRESS | a copter shows itself: crw boat --mavlink ADDRESS",
+                "pair there: crw keys pair HOST:PORT, then boats come | pair there: crw keys pair HOST:PORT, then"
+                        + " copters come",
+                "mav111 is a boat, and this session flies copters: no boat | mav111 is a boat, and this session flies"
+                        + " copters: no copter"
             })
     void theWordIsReplacedAndNamesAndPathsStay(String ofBoats, String ofCopters) {
         assertThat(RobotKind.COPTER.say(ofBoats)).isEqualTo(ofCopters);
+    }
+
+    @Test
+    void robotOfAnotherKindIsNamedAndInATeamBothKindsAreRight() {
+        assertThat(RobotKind.COPTER.unfit(false)).contains("is a boat, and this session flies copters");
+        assertThat(RobotKind.BOAT.unfit(true)).contains("is a copter, and this session drives boats");
+        assertThat(RobotKind.COPTER.unfit(true)).isEmpty();
+        assertThat(RobotKind.BOAT.unfit(false)).isEmpty();
+        assertThat(RobotKind.ROBOT.unfit(false)).isEmpty();
+        assertThat(RobotKind.ROBOT.unfit(true)).isEmpty();
     }
 
     @Test

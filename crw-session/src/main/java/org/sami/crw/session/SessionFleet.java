@@ -8,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.fleet.publishing.FleetEvents;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.proxy.BoatProxy;
@@ -37,6 +38,7 @@ final class SessionFleet implements Closeable {
             SessionTelemetry telemetry,
             OperatorModels models,
             SessionMessages messages,
+            RobotKind robots,
             ThreadGuard guard) {
         this.threads = threads;
         this.telemetry = telemetry;
@@ -46,6 +48,9 @@ final class SessionFleet implements Closeable {
         listener = new FleetListener(events, history, telemetry, messages, remembered, threads::nowMs, guard);
         watches = new BoatWatches(setup, connector, history, remembered, telemetry, models, messages, threads::nowMs);
         events.subscribe(watches::take);
+        KindWatch kinds = new KindWatch(robots, connector::boats, messages, threads::nowMs);
+        listener.onEachBoat(kinds::found);
+        events.subscribe(kinds::take);
         settings = new SettingReplies(engine.replies());
         events.subscribe(settings::happened);
         connector.open(listener);

@@ -54,7 +54,7 @@ final class SessionParts {
         }
         lostLinkWish = new LostLinkWish(journal, telemetry, threads::nowMs, models.log());
         messages = new SessionMessages(telemetry, models, robots);
-        fleet = toClose(new SessionFleet(setup, threads, engine, telemetry, models, messages, guard));
+        fleet = toClose(new SessionFleet(setup, threads, engine, telemetry, models, messages, robots, guard));
         if (threads
                 .isRealTime()) { // a run in process is resumed by running its world again, with all that was done in it
             keepLog();

@@ -45,7 +45,8 @@ import picocli.CommandLine.Spec;
             "1:the plan or the answers file has errors; nothing was run",
             "2:wrong usage, or a file that cannot be read",
             "3:the mission was aborted",
-            "4:the mission or the program failed, or boats do not answer (--connect) or none is near (--near)",
+            "4:the mission or the program failed, or boats do not answer or are all of another kind (--connect), or none is near"
+                    + " (--near)",
             "5:the mission was still running when the run was stopped (--for, Ctrl-C)",
             "6:the mission ended, with problems that are named"
         },

@@ -68,16 +68,13 @@ public final class BoatDemands {
                         + (why.isEmpty() ? "" : ": " + why));
     }
 
-    /** What plans may ask for and a boat cannot do, each as {@code cannot take pictures all round: there is no camera on board}. */
-    public static List<String> missing(BoatCapabilities boatCan) {
-        return BY_EVENT.values().stream()
-                .sorted()
-                .flatMap(what -> cannot(boatCan, what).stream())
-                .toList();
+    /** What a boat lacks for what plans may ask, each as {@code cannot take pictures all round: there is no camera on board}; gains are no equipment. */
+    public static List<String> missingEquipment(BoatCapabilities boatCan) {
+        return cannot(boatCan, BoatCapabilities.PANORAMA).stream().toList();
     }
 
     /**
-     * The same, and the word for where a robot moves: {@link #FLIGHT} or {@link #WATER}.
+     * What a robot offers to tasks that need something, with the word for where it moves: {@link #FLIGHT} or {@link #WATER}.
      *
      * @param stated by the plan
      * @param flies whether the robot does

@@ -34,6 +34,8 @@ public record BoatExplanation(boolean shouldMove, Cause cause, String text) {
         COMPARING,
         /** It has not said where it is, and its way has to keep clear of something. */
         NO_POSITION,
+        /** It is a robot of another kind than those that the session's plans command. */
+        OTHER_KIND,
         /** Nothing is left to drive with. */
         BATTERY_EMPTY,
         /** Its path is on the way to it, or is being started. */

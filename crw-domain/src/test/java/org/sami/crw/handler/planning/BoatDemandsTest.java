@@ -27,7 +27,7 @@ class BoatDemandsTest {
     void boatWithoutACameraCannotTakePicturesAndSaysWhy() {
         assertThat(BoatDemands.missing("mav1", BLIND, "TakePanorama", Map.of()))
                 .contains("mav1 cannot take pictures all round: there is no camera on board");
-        assertThat(BoatDemands.missing(BLIND))
+        assertThat(BoatDemands.missingEquipment(BLIND))
                 .containsExactly("cannot take pictures all round: there is no camera on board");
     }
 

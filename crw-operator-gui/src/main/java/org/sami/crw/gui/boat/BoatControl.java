@@ -21,7 +21,9 @@ final class BoatControl {
         teleoperation = new Teleoperation(context);
         add("boat-stop", "Stop", "ctrl shift S", "stop", FrontFleet::stop, "is stopped until it is released");
         add("boat-release", "Release", "ctrl shift R", "release", FrontFleet::release, "goes on");
-        commands.add(teleoperation.command());
+        if (teleoperation.isOffered()) {
+            commands.add(teleoperation.command());
+        }
         add("boat-take", "Take command", "ctrl T", "plus", FrontFleet::takeCommand, "is asked to obey this base");
         add(
                 "boat-hand-over",

@@ -27,7 +27,7 @@ public final class BoatWords {
         }
         return switch (boat.why().cause()) {
             case STARTED_ANEW, REFUSES, BATTERY_EMPTY, NO_PROGRESS, FLEET_STOPPED -> 3;
-            case FAILED, COMMANDED_ELSEWHERE, NEVER_ANSWERED, LINK_LOST -> 2;
+            case FAILED, COMMANDED_ELSEWHERE, NEVER_ANSWERED, LINK_LOST, OTHER_KIND -> 2;
             default -> boat.battery().map(b -> b.level() == BatteryLevel.LOW).orElse(false) ? 1 : 0;
         };
     }

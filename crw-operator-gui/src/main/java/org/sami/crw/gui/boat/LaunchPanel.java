@@ -3,9 +3,11 @@ package org.sami.crw.gui.boat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.alarm.LaunchCheck;
 import org.sami.crw.operator.alarm.LaunchCheck.State;
@@ -20,7 +22,7 @@ import org.sami.ui.look.LookColors;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 
-/** What is to be so before the selected boat is put into the water. */
+/** What is to be so before the selected boat is put into the water, or the selected robot takes off. */
 final class LaunchPanel extends JPanel {
     private static final long ASK_MS = 1_000; // the session may be in another place
 
@@ -28,6 +30,7 @@ final class LaunchPanel extends JPanel {
     private final MotorTrial motor;
     private final LostLinkSetting lostLink;
     private final CommandButton setLostLink;
+    private final CommandButton tryMotor;
     private final JLabel summary = new JLabel(" ");
     private final RowTable<Row> table;
     private transient List<LinkStatus> linkStatuses = List.of();
@@ -45,21 +48,26 @@ final class LaunchPanel extends JPanel {
         lostLink = new LostLinkSetting(context);
         setLostLink = new CommandButton(lostLink.command());
         setLostLink.setVisible(false);
+        tryMotor = new CommandButton(motor.command());
         setName("boat-launch");
         table = new RowTable<>(
                 "boat-launch-table",
-                context.say("Select a boat: link, position, compass, motor, battery and what it does without a link are"
-                        + " gone through here."),
+                context.say(
+                        context.robots() == RobotKind.COPTER
+                                ? "Select a boat: link, position, what its autopilot says, battery, what it does"
+                                        + " without a link and the area are gone through here."
+                                : "Select a boat: link, position, compass, motor, battery and what it does without a"
+                                        + " link are gone through here."),
                 Row::title,
                 List.of(
                         RowColumn.<Row>words("Check", 150, row -> LaunchWords.mark(row.state()) + row.title())
                                 .colored(row -> LaunchWords.color(row.state())),
-                        RowColumn.<Row>words("How it is", 0, row -> context.say(row.text()))
+                        RowColumn.<Row>words("How it is", 0, Row::text)
                                 .colored(row -> LaunchWords.color(row.state()))));
         table.table().getAccessibleContext().setAccessibleName(context.say("Boat launch"));
         summary.setName("boat-launch-summary");
         CommandRow head = new CommandRow();
-        head.left(summary).right(setLostLink).right(new CommandButton(motor.command()));
+        head.left(summary).right(setLostLink).right(tryMotor);
         add(head);
         table.showAllRows(true); // the tab scrolls, with what stands above the checks
         add(table);
@@ -76,17 +84,18 @@ final class LaunchPanel extends JPanel {
         lostLink.command().refresh();
         setLostLink.setVisible(boat.filter(one -> LaunchCheck.isAgainstWish(one, context.lostLinkWish()))
                 .isPresent());
-        Optional<LaunchCheck> check = boat.map(one -> LaunchCheck.of(
-                one,
-                context.models().alarms().snapshot(),
-                motor.seenMps(one.boat()),
-                context.nowMillis(),
-                context.lostLinkWish()));
+        tryMotor.setVisible(boat.map(one -> !context.flies(one.boat())).orElse(context.robots() != RobotKind.COPTER));
+        Optional<LaunchCheck> check =
+                boat.map(one -> LaunchCheck.of(one, motor.seenMps(one.boat()), context.launchFacts()));
+        UnaryOperator<String> words = boat.<UnaryOperator<String>>map(one -> text -> context.sayOf(one.boat(), text))
+                .orElse(context::say);
         boat.ifPresent(one -> askForLinkStatuses(one.boat()));
         table.show(rows(
-                check, boat.filter(one -> one.boat().equals(statusesOf)).isPresent() ? linkStatuses : List.of()));
+                check,
+                words,
+                boat.filter(one -> one.boat().equals(statusesOf)).isPresent() ? linkStatuses : List.of()));
         summary.setFont(Fonts.strong());
-        summary.setText(context.say(check.map(LaunchPanel::words).orElse("No boat is selected")));
+        summary.setText(words.apply(check.map(LaunchPanel::words).orElse("No boat is selected")));
         LookColors.foreground(
                 summary,
                 check.map(one -> one.mayLaunch() ? SemanticColor.OK : SemanticColor.WARNING)
@@ -110,14 +119,15 @@ final class LaunchPanel extends JPanel {
         });
     }
 
-    private static List<Row> rows(Optional<LaunchCheck> check, List<LinkStatus> linkStatuses) {
+    private static List<Row> rows(
+            Optional<LaunchCheck> check, UnaryOperator<String> words, List<LinkStatus> linkStatuses) {
         List<Row> rows = new ArrayList<>();
-        check.ifPresent(all ->
-                all.items().forEach(item -> rows.add(new Row(name(item.subject()), item.text(), item.state()))));
+        check.ifPresent(all -> all.items()
+                .forEach(item -> rows.add(new Row(name(item.subject()), words.apply(item.text()), item.state()))));
         for (LinkStatus status : linkStatuses) {
             rows.add(new Row(
                     status.link().replaceFirst("^mavlink:", "Over "),
-                    status.words(),
+                    words.apply(status.words()),
                     status.isGood() ? State.GOOD : State.DOUBTFUL));
         }
         return rows;
@@ -136,8 +146,11 @@ final class LaunchPanel extends JPanel {
             case COMPASS -> "Compass";
             case BOARD -> "Control board";
             case MOTOR -> "Motor";
+            case AUTOPILOT -> "Autopilot";
             case BATTERY -> "Battery";
             case LOST_LINK -> "Without a link";
+            case AREA -> "Area";
+            case KIND -> "Kind";
             case EQUIPMENT -> "Equipment";
         };
     }

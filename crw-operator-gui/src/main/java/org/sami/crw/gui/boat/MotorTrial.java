@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import javax.swing.Timer;
 import org.sami.boat.link.BoatMode;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.BoatSnapshot.Commander;
@@ -14,27 +15,33 @@ import org.sami.ui.command.Command;
 
 /**
  * Tries the motor of the selected boat before it is launched: a little thrust for a second, then it is given back. Keeps the greatest speed that
- * was seen. On the event thread.
+ * was seen, of trials that the boat obeyed: it says that it is driven, or it moves. Nobody tries the motors of what flies. On the event thread.
  */
 final class MotorTrial {
     private static final int PERIOD_MS = 200;
     private static final int TIMES = 5;
+    private static final int AWAITED_TIMES = 10; // a boat far away says late that it is driven
     private static final double THRUST = 0.25;
+    private static final double MOVES_MPS = 0.1;
 
     private final OperatorContext context;
     private final Command command;
     private final Map<String, Double> seenMps = new HashMap<>();
     private final Timer timer = new Timer(PERIOD_MS, e -> step());
     private Optional<String> boat = Optional.empty();
-    private int left;
+    private int left; // of the times that thrust is asked for; below 0 its obedience is awaited
+    private boolean obeyed;
+    private double fastestMps;
 
     MotorTrial(OperatorContext context) {
         this.context = context;
-        command = context.commands()
-                .add(new Command("boat-try-motor", "Try the motor", this::begin)
-                        .withKey("ctrl shift Y")
-                        .withIcon("play")
-                        .unless(this::whyNot));
+        command = new Command("boat-try-motor", "Try the motor", this::begin)
+                .withKey("ctrl shift Y")
+                .withIcon("play")
+                .unless(this::whyNot);
+        if (context.robots() != RobotKind.COPTER) {
+            context.commands().add(command);
+        }
         context.boats().addListener(command::refresh);
     }
 
@@ -58,6 +65,9 @@ final class MotorTrial {
         } else if (context.boats().boats().size() != 1) {
             return Optional.of("select one boat first");
         }
+        if (context.flies(context.boats().boats().get(0))) {
+            return Optional.of("it flies: its motors are not tried on the ground");
+        }
         Optional<BoatSnapshot> selected =
                 context.models().fleet().boat(context.boats().boats().get(0));
         if (selected.flatMap(BoatSnapshot::mode)
@@ -77,7 +87,8 @@ final class MotorTrial {
     private void begin() {
         boat = context.boats().first();
         left = TIMES;
-        boat.ifPresent(which -> seenMps.put(which, 0.0));
+        obeyed = false;
+        fastestMps = 0;
         context.notices().show("Motor of " + boat.orElse("") + ": 25 % thrust for one second; keep clear");
         timer.start();
         step();
@@ -85,23 +96,34 @@ final class MotorTrial {
 
     private void step() {
         String which = boat.orElseThrow();
-        context.models()
-                .fleet()
-                .boat(which)
-                .flatMap(BoatSnapshot::pose)
-                .ifPresent(pose -> seenMps.merge(which, Math.abs(pose.speedMps()), Math::max));
-        if (left-- > 0) {
-            context.session().fleet().teleoperate(which, THRUST, 0).whenComplete((sent, fault) -> {
-                if (fault != null) {
-                    seenMps.remove(which);
-                    context.notices()
-                            .refused("The motor of " + which + " cannot be tried: " + RefusedException.reason(fault));
-                    end(which);
-                }
-            });
-        } else {
+        context.models().fleet().boat(which).ifPresent(this::look);
+        if (left > 0 || (!obeyed && left > -AWAITED_TIMES)) {
+            context.session()
+                    .fleet()
+                    .teleoperate(which, left > 0 ? THRUST : 0, 0)
+                    .whenComplete((sent, fault) -> {
+                        if (fault != null && boat.equals(Optional.of(which))) {
+                            refused(which, RefusedException.reason(fault));
+                        }
+                    });
+            left--;
+        } else if (obeyed) {
+            seenMps.put(which, fastestMps);
             end(which);
+        } else {
+            refused(which, "it does not do what it is told");
         }
+    }
+
+    private void look(BoatSnapshot now) {
+        double mps = now.pose().map(pose -> Math.abs(pose.speedMps())).orElse(0.0);
+        fastestMps = Math.max(fastestMps, mps);
+        obeyed |= now.mode().filter(BoatMode.TELEOPERATION::equals).isPresent() || mps >= MOVES_MPS;
+    }
+
+    private void refused(String which, String why) {
+        context.notices().refused("The motor of " + which + " cannot be tried: " + why);
+        end(which);
     }
 
     private void end(String which) {

@@ -69,7 +69,9 @@ public final class SelectedBoatPanel extends FoldingPanel implements AutoCloseab
         tabs.setName("boat-tabs");
         tabs.addTab("Commands", WidthTrackingPanel.fromLeastHeight(commands));
         tabs.addTab(PlainTextUI.of(context.say("Before launch")), WidthTrackingPanel.fromLeastHeight(launch));
-        tabs.addTab("By hand", WidthTrackingPanel.fromLeastHeight(byHand));
+        if (control.teleoperation().isOffered()) {
+            tabs.addTab("By hand", WidthTrackingPanel.fromLeastHeight(byHand));
+        }
         tabs.addTab("Settings", scrolled(settings));
         CommandRow buttons = new CommandRow();
         control.commands().forEach(command -> buttons.left(new CommandButton(command)));

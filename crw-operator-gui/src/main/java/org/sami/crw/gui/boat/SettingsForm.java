@@ -1,5 +1,6 @@
 package org.sami.crw.gui.boat;
 
+import java.awt.Component;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -13,9 +14,11 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.GainAxis;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.proxy.status.BoatTuning;
@@ -26,18 +29,26 @@ import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.look.LookColors;
 
-/** The settings of the selected boat: gains of its two loops, velocity multiplier, what it does without a link. Each is set by itself, and says what the boat answered. */
+/**
+ * The settings of the selected boat: gains of its two loops, velocity multiplier, what it does without a link. Each is set by itself, and says what the boat
+ * answered. Gains are locked where the boat says that it takes none, and are not there for what flies.
+ */
 final class SettingsForm extends JPanel {
     private static final String NOTHING = "nothing is wished";
 
     private final OperatorContext context;
     private final List<Line> lines = new ArrayList<>();
     private Optional<String> boat = Optional.empty();
+    private Optional<BoatTuning> tuning = Optional.empty(); // of the boat that is shown
 
     /** One setting: fields, a button, what is in force and what came of the last request. */
     private final class Line {
         private final Function<BoatTuning, String> inForce;
         private final Entry entry;
+        private final Lock lock;
+        private final JLabel label;
+        private final JComponent fields;
+        private final CommandButton button;
         private boolean filled;
         private final JLabel now = new JLabel("–");
         private final Command command;
@@ -50,19 +61,23 @@ final class SettingsForm extends JPanel {
                 JComponent fields,
                 Function<BoatTuning, String> inForce,
                 Setting setting,
-                Entry entry) {
+                Entry entry,
+                Lock lock) {
             this.inForce = inForce;
             this.entry = entry;
+            this.lock = lock;
+            this.fields = fields;
             command = context.commands()
                     .add(new Command("boat-set-" + id, "Set " + title.toLowerCase(Locale.ROOT), () -> set(setting))
                             .withIcon("check")
                             .unless(() -> boat.isPresent()
-                                    ? context.whyNotAct()
+                                    ? context.whyNotAct().or(() -> whyLocked(tuning))
                                     : Optional.of(context.say("select a boat first"))));
             now.setName("boat-" + id + "-now");
-            CommandButton button = new CommandButton(command);
+            button = new CommandButton(command);
             button.setText("Set");
-            add(new JLabel(context.say(title)));
+            label = new JLabel(context.say(title));
+            add(label);
             add(fields, "hmin 40");
             add(button);
             add(now, "wmin 60");
@@ -94,6 +109,22 @@ final class SettingsForm extends JPanel {
             bad = wrong;
         }
 
+        private Optional<String> whyLocked(Optional<BoatTuning> settings) {
+            if (lock == Lock.NONE) {
+                return Optional.empty();
+            }
+            return boat.filter(context::flies).isPresent()
+                    ? Optional.of("it flies: its autopilot has gains of its own")
+                    : settings.flatMap(known ->
+                            Optional.ofNullable(known.capabilities().cannot().get(BoatCapabilities.GAINS)));
+        }
+
+        private void enableFields(boolean enabled) {
+            for (Component part : fields.getComponents()) {
+                part.setEnabled(enabled);
+            }
+        }
+
         /** Another boat is shown: what was entered for the one before, and its answer, do not concern it. */
         private void turn() {
             say("", false);
@@ -101,14 +132,20 @@ final class SettingsForm extends JPanel {
             filled = false;
         }
 
-        private void show(Optional<BoatTuning> settings) {
-            if (!filled && settings.isPresent()) {
+        private void show(Optional<BoatTuning> settings, boolean flies) {
+            boolean offered = !flies || lock != Lock.GAINS;
+            List.of(label, fields, button, now).forEach(part -> part.setVisible(offered));
+            Optional<String> locked = whyLocked(settings);
+            if (lock != Lock.NONE) {
+                enableFields(locked.isEmpty());
+            }
+            if (!filled && settings.isPresent() && locked.isEmpty()) {
                 entry.fill(settings.get());
                 filled = true;
             }
-            String text =
-                    settings.map(inForce).map(value -> "in force: " + value).orElse("not known")
-                            + (answer.isEmpty() ? "" : "   " + answer);
+            String text = locked.or(() -> settings.map(inForce).map(value -> "in force: " + value))
+                            .orElse("not known")
+                    + (answer.isEmpty() ? "" : "   " + answer);
             if (!text.equals(now.getText())) {
                 now.setText(text);
                 now.setToolTipText(text);
@@ -116,6 +153,13 @@ final class SettingsForm extends JPanel {
             LookColors.foreground(now, bad ? SemanticColor.CRITICAL : SemanticColor.MUTED);
             command.refresh();
         }
+    }
+
+    /** What keeps a boat from taking a setting at all. */
+    private enum Lock {
+        NONE,
+        /** Gains of the loops of a boat; what flies has none of these. */
+        GAINS
     }
 
     /** Asks a boat for a setting. */
@@ -180,7 +224,8 @@ final class SettingsForm extends JPanel {
     }
 
     SettingsForm(OperatorContext context) {
-        super(new MigLayout("novisualpadding, insets 8 12 8 12, gap 8 4, fillx, wrap 4", "[][][][grow,fill]"));
+        super(new MigLayout(
+                "novisualpadding, insets 8 12 8 12, gap 8 4, fillx, hidemode 3, wrap 4", "[][][][grow,fill]"));
         this.context = context;
         setName("boat-settings");
         addGains("heading", "Steering gains", GainAxis.HEADING, BoatTuning::heading);
@@ -192,7 +237,8 @@ final class SettingsForm extends JPanel {
                 multiplier,
                 settings -> number(settings.velocityMultiplier()),
                 (fleet, whom) -> fleet.setVelocityMultiplier(whom, number(multiplier)),
-                new Numbers(List.of(multiplier), settings -> List.of(settings.velocityMultiplier()))));
+                new Numbers(List.of(multiplier), settings -> List.of(settings.velocityMultiplier())),
+                Lock.NONE));
         JComboBox<LostLinkAction> action = actions("boat-lost-link", "What the boat does when its link is lost");
         lines.add(new Line(
                 "lost-link",
@@ -200,7 +246,8 @@ final class SettingsForm extends JPanel {
                 action,
                 settings -> context.say(LostLinkWords.of(settings.lostLinkAction())),
                 (fleet, whom) -> fleet.setLostLinkAction(whom, chosen(action)),
-                new Choice(action)));
+                new Choice(action),
+                Lock.NONE));
         JComboBox<LostLinkAction> wish = actions("boat-lost-link-wish", "What is wished of all boats without a link");
         wish.insertItemAt(null, 0);
         wish.setSelectedIndex(0);
@@ -210,7 +257,8 @@ final class SettingsForm extends JPanel {
                 wish,
                 settings -> wished(context.lostLinkWish()),
                 (fleet, whom) -> fleet.wishLostLink(Optional.ofNullable(wish.getItemAt(wish.getSelectedIndex()))),
-                new OfSession()));
+                new OfSession(),
+                Lock.NONE));
     }
 
     private String wished(Optional<LostLinkAction> wish) {
@@ -250,7 +298,8 @@ final class SettingsForm extends JPanel {
                             + number(gains.derivative());
                 },
                 (fleet, whom) -> fleet.setGains(whom, axis, new Gains(number(p), number(i), number(d))),
-                new Numbers(List.of(p, i, d), settings -> values(of.apply(settings)))));
+                new Numbers(List.of(p, i, d), settings -> values(of.apply(settings))),
+                Lock.GAINS));
     }
 
     private static List<Double> values(Gains gains) {
@@ -291,6 +340,8 @@ final class SettingsForm extends JPanel {
             boat = which;
             lines.forEach(Line::turn);
         }
-        lines.forEach(line -> line.show(settings));
+        tuning = settings;
+        boolean flies = which.map(context::flies).orElse(context.robots() == RobotKind.COPTER);
+        lines.forEach(line -> line.show(settings, flies));
     }
 }

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import javax.swing.Timer;
 import org.sami.boat.link.BoatMode;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.operator.boat.BoatSnapshot.Commander;
@@ -37,11 +38,13 @@ final class Teleoperation implements StickView.Driver {
 
     Teleoperation(OperatorContext context) {
         this.context = context;
-        command = context.commands()
-                .add(new Command("boat-by-hand", "Drive by hand", this::toggle)
-                        .withKey("ctrl shift D")
-                        .withIcon("hand")
-                        .unless(this::whyNotToggle));
+        command = new Command("boat-by-hand", "Drive by hand", this::toggle)
+                .withKey("ctrl shift D")
+                .withIcon("hand")
+                .unless(this::whyNotToggle);
+        if (isOffered()) {
+            context.commands().add(command);
+        }
         stops = context.models().fleetStop().addListener(this::stopChanged);
     }
 
@@ -52,6 +55,9 @@ final class Teleoperation implements StickView.Driver {
         } else if (selected.size() != 1) {
             return Optional.of("select one boat first");
         }
+        if (context.flies(selected.get(0))) {
+            return Optional.of("it flies: its own radio control takes it over, or send it somewhere");
+        }
         return context.models().fleetStop().snapshot().stops(selected.get(0))
                 ? Optional.of("its motors are stopped, release it first")
                 : Optional.empty();
@@ -59,6 +65,11 @@ final class Teleoperation implements StickView.Driver {
 
     Command command() {
         return command;
+    }
+
+    /** Whether robots of the session are driven by hand at all: what flies is not. */
+    boolean isOffered() {
+        return context.robots() != RobotKind.COPTER;
     }
 
     /** Calls a listener when driving begins or ends, and when the boat is to stand though the stick may be held. */

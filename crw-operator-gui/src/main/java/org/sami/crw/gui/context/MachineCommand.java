@@ -1,6 +1,7 @@
 package org.sami.crw.gui.context;
 
 import java.util.Optional;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.ui.command.Command;
 
 /**
@@ -60,6 +61,11 @@ public enum MachineCommand {
         this.key = key;
         this.icon = icon;
         this.elsewhere = elsewhere;
+    }
+
+    /** Whether it is of use where plans command robots of a kind: the app for phones, and what ground stations are shown, are of boats. */
+    public boolean isFor(RobotKind robots) {
+        return robots != RobotKind.COPTER || (this != PHONE && this != GROUND_STATION);
     }
 
     /** The command in the session's own window. */

@@ -7,6 +7,7 @@ import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.operator.OperatorModels;
+import org.sami.crw.operator.alarm.LaunchFacts;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.MissionTitles;
 import org.sami.crw.session.Session;
@@ -81,6 +82,17 @@ public record OperatorContext(
     /** What the session that runs wishes that boats do when their link is lost; empty where it wishes nothing, and in a replay. */
     public Optional<LostLinkAction> lostLinkWish() {
         return shown.session().flatMap(session -> session.fleet().lostLinkWish());
+    }
+
+    /** What counts for the checks of boats besides the boats themselves. */
+    public LaunchFacts launchFacts() {
+        return new LaunchFacts(
+                robots(), models().alarms().snapshot(), models().messages().messages(), lostLinkWish(), nowMillis());
+    }
+
+    /** Whether a robot is known to fly, or is to before its first report. */
+    public boolean flies(String robot) {
+        return models().fleet().boat(robot).map(boat -> boat.kind(robots())).orElse(robots()) == RobotKind.COPTER;
     }
 
     /** What the session's plans command: what they are called. */

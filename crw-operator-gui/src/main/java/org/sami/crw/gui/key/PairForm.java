@@ -19,7 +19,6 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import org.sami.boat.link.Role;
 import org.sami.boat.link.security.PairingCode;
-import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.UnreachedBoat;
 import org.sami.crw.proxy.key.BaseKeys;
@@ -81,8 +80,12 @@ final class PairForm extends JPanel {
         offered.setName("pair-offered");
         offered.setColor(SemanticColor.MUTED);
         add(
-                new WrappedText(context.say("Have the boat show its words: PAIR on the phone's screen, or "
-                        + (context.robots() == RobotKind.BOAT ? "crw boat --pair" : "the program that runs its server")
+                new WrappedText(context.say("Have the boat show its words: "
+                        + switch (context.robots()) {
+                            case BOAT -> "PAIR on the phone's screen, or crw boat --pair";
+                            case ROBOT -> "PAIR on the phone's screen, or the program that runs its server";
+                            case COPTER -> "in the program that runs its server";
+                        }
                         + ". They count for five minutes.")),
                 WIDE);
         row(notLinked, unpaired);

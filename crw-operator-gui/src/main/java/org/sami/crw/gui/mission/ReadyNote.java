@@ -67,7 +67,7 @@ final class ReadyNote extends JLabel {
      */
     void refresh(Optional<Plan> plan, Optional<Project> project) {
         List<BoatSnapshot> boats = List.copyOf(context.models().fleet().snapshot());
-        FleetCheck check = FleetCheck.of(boats, context.models().alarms().snapshot(), context.nowMillis());
+        FleetCheck check = FleetCheck.of(boats, context.launchFacts());
         List<String> missing = plan.flatMap(
                         chosen -> project.map(loaded -> MissingCapabilities.of(chosen, loaded, boats, context.robots())
                                 .missing()))

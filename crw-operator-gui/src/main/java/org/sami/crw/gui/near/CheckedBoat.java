@@ -4,12 +4,12 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.gui.boat.BoatWords;
 import org.sami.crw.gui.boat.LaunchWords;
 import org.sami.crw.operator.OperatorModels;
 import org.sami.crw.operator.alarm.LaunchCheck;
 import org.sami.crw.operator.alarm.LaunchCheck.State;
+import org.sami.crw.operator.alarm.LaunchFacts;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.session.near.NearList;
 import org.sami.crw.session.near.NearRow;
@@ -18,10 +18,9 @@ import org.sami.palette.SemanticColor;
 /** A boat near as a row shows it: with its check, if the session knows it. */
 record CheckedBoat(NearRow row, Optional<BoatSnapshot> known, Optional<LaunchCheck> check) {
     /** The boats of a list, those with problems first: in a low window the others may not be visible. */
-    static List<CheckedBoat> of(
-            NearList list, OperatorModels models, long nowMillis, Optional<LostLinkAction> lostLinkWish) {
+    static List<CheckedBoat> of(NearList list, OperatorModels models, LaunchFacts facts) {
         return list.rows().stream()
-                .map(row -> of(row, models, nowMillis, lostLinkWish))
+                .map(row -> of(row, models, facts))
                 .sorted(Comparator.comparingInt(CheckedBoat::trouble).reversed())
                 .toList();
     }
@@ -40,14 +39,9 @@ record CheckedBoat(NearRow row, Optional<BoatSnapshot> known, Optional<LaunchChe
         };
     }
 
-    private static CheckedBoat of(
-            NearRow row, OperatorModels models, long nowMillis, Optional<LostLinkAction> lostLinkWish) {
+    private static CheckedBoat of(NearRow row, OperatorModels models, LaunchFacts facts) {
         Optional<BoatSnapshot> known = row.boat().flatMap(models.fleet()::boat);
-        return new CheckedBoat(
-                row,
-                known,
-                known.map(boat -> LaunchCheck.of(
-                        boat, models.alarms().snapshot(), OptionalDouble.empty(), nowMillis, lostLinkWish)));
+        return new CheckedBoat(row, known, known.map(boat -> LaunchCheck.of(boat, OptionalDouble.empty(), facts)));
     }
 
     String name() {

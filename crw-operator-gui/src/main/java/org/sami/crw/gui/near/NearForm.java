@@ -203,8 +203,7 @@ final class NearForm extends JPanel {
 
     /** Shows the boats as they are now. */
     private void refresh() {
-        List<CheckedBoat> now =
-                CheckedBoat.of(boats.list(), context.models(), context.nowMillis(), context.lostLinkWish());
+        List<CheckedBoat> now = CheckedBoat.of(boats.list(), context.models(), context.launchFacts());
         now.forEach(one -> one.known().ifPresent(boat -> context.marks().of(boat.boat())));
         table.show(now);
         count.setFont(Fonts.heading());

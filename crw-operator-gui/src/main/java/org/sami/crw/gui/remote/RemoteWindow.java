@@ -85,7 +85,9 @@ public final class RemoteWindow {
         band.of(session.address().toString(), session.person(), context.notices(), commands::askPolicy, this::title);
         commands.add(ConnectSheet.command(context, frame.getRootPane()));
         for (MachineCommand machine : MachineCommand.values()) {
-            commands.add(machine.elsewhere());
+            if (machine.isFor(robots)) {
+                commands.add(machine.elsewhere());
+            }
         }
         logs = new LogsSheet(context, frame.getRootPane());
         commands.add(logs.command());

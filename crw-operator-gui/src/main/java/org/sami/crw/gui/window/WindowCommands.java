@@ -42,7 +42,9 @@ final class WindowCommands {
         near = new NearSheet(context, frame.getRootPane(), () -> finder.get());
         add(MachineCommand.BOATS_NEAR.here(near::open));
         add(MachineCommand.PAIR.here(() -> new PairSheet(context, frame.getRootPane()).open()));
-        add(MachineCommand.PHONE.here(() -> new PairSheet(context, frame.getRootPane()).addPhone()));
+        if (MachineCommand.PHONE.isFor(context.robots())) {
+            add(MachineCommand.PHONE.here(() -> new PairSheet(context, frame.getRootPane()).addPhone()));
+        }
         add(MachineCommand.KEYS.here(this::keys));
         LogsSheet logs = new LogsSheet(context, frame.getRootPane());
         add(logs.command());
@@ -53,7 +55,9 @@ final class WindowCommands {
             }
         });
         stations = new StationShow(context, frame.getRootPane());
-        add(MachineCommand.GROUND_STATION.here(stations::open).unless(stations::whyNot));
+        if (MachineCommand.GROUND_STATION.isFor(context.robots())) {
+            add(MachineCommand.GROUND_STATION.here(stations::open).unless(stations::whyNot));
+        }
         add(MachineCommand.PROJECT.here(this::load));
         view = new ViewCommands(context.commands(), frame, settings);
     }

@@ -86,6 +86,17 @@ final class FleetReadiness {
         return Stream.concat(connected, simulated.stream()).distinct().toList(); // a boat may have two links
     }
 
+    /** Each robot that has answered and that plans cannot command, as {@code mav111 is a boat, and this session flies copters}. */
+    List<String> unfit() {
+        List<String> there = boats();
+        return fleet.ask(boats -> there.stream()
+                        .flatMap(boat -> boats.find(boat).stream())
+                        .flatMap(boat -> boat.unfit().map(why -> boat.boatId() + " " + why).stream())
+                        .toList())
+                .toCompletableFuture()
+                .join();
+    }
+
     private static boolean isAt(InetSocketAddress known, BoatAddress address) {
         return address.leadsTo(BoatAddress.of(known));
     }

@@ -89,6 +89,7 @@ public final class TcpRun {
      * their links stand. An interrupt of the caller's thread makes it look at once whether it is to stop, and is kept.
      *
      * @throws BoatsNotReadyException if boats do not answer at the start
+     * @throws UnfitRobotsException if all that answer are of another kind than the plan commands
      * @throws IOException if the journal cannot be read
      */
     public RunReport run(RunObserver observer) throws IOException {
@@ -267,12 +268,19 @@ public final class TcpRun {
     }
 
     /** Returns whether the mission can begin or go on; not if somebody wants an end meanwhile. */
-    private boolean awaitBoats(FleetReadiness readiness, boolean underWay) throws BoatsNotReadyException {
+    private boolean awaitBoats(FleetReadiness readiness, boolean underWay)
+            throws BoatsNotReadyException, UnfitRobotsException {
         try {
             List<String> missing = readiness.await(process.clock(), process.connectWithinMillis());
             if (!missing.isEmpty()
                     && (!underWay || missing.size() == settings.fleet().boats())) {
                 throw new BoatsNotReadyException(missing, process.connectWithinMillis());
+            }
+            List<String> unfit = readiness.unfit();
+            if (!underWay
+                    && !unfit.isEmpty()
+                    && unfit.size() == readiness.boats().size()) {
+                throw new UnfitRobotsException(unfit);
             }
             missing.forEach(boat -> lines.accept(boat + "; the mission goes on without it until it is there"));
             return true;

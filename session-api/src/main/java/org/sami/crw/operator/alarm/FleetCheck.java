@@ -21,9 +21,9 @@ public record FleetCheck(Map<String, LaunchCheck> checks) {
     }
 
     /** Goes through all boats. */
-    public static FleetCheck of(Collection<BoatSnapshot> boats, List<Alarm> alarms, long nowMillis) {
+    public static FleetCheck of(Collection<BoatSnapshot> boats, LaunchFacts known) {
         Map<String, LaunchCheck> checks = new LinkedHashMap<>();
-        boats.forEach(boat -> checks.put(boat.boat(), LaunchCheck.of(boat, alarms, OptionalDouble.empty(), nowMillis)));
+        boats.forEach(boat -> checks.put(boat.boat(), LaunchCheck.of(boat, OptionalDouble.empty(), known)));
         return new FleetCheck(checks);
     }
 

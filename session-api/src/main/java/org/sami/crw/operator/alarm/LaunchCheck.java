@@ -11,14 +11,16 @@ import org.sami.boat.link.BoardCondition;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.LinkDefaults;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.planning.BoatDemands;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.LostLinkWords;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.crw.proxy.status.LinkState;
+import org.sami.spn.value.GeoPoint;
 
 /**
- * The conditions for launching a boat, as far as they are known.
+ * The conditions for launching a boat, or for the take-off of a robot that flies, as far as they are known.
  *
  * @param items in the order of the checklist
  */
@@ -43,9 +45,16 @@ public record LaunchCheck(List<Item> items) {
         COMPASS,
         /** Only of boats that have one. */
         BOARD,
+        /** Only of boats: nobody tries the motors of what flies on the ground. */
         MOTOR,
+        /** What the autopilot says against starting the motors; only of robots that fly. */
+        AUTOPILOT,
         BATTERY,
         LOST_LINK,
+        /** The fence and no-go areas; only of robots that fly. */
+        AREA,
+        /** Only of robots that the session does not command. */
+        KIND,
         /** Only of boats that say what they cannot do. */
         EQUIPMENT
     }
@@ -71,9 +80,11 @@ public record LaunchCheck(List<Item> items) {
                 case COMPASS -> "compass: " + text;
                 case BOARD -> "control board " + text;
                 case MOTOR -> "motor: " + text;
+                case AUTOPILOT -> "autopilot: " + text;
                 case BATTERY -> "battery " + text;
                 case LOST_LINK -> "without a link it " + text;
-                case EQUIPMENT -> text;
+                case AREA -> "area: " + text;
+                case KIND, EQUIPMENT -> text;
             };
         }
     }
@@ -83,36 +94,32 @@ public record LaunchCheck(List<Item> items) {
     }
 
     /**
-     * Goes through a boat.
+     * Goes through a boat, or through a robot that flies: by what it is, as it has reported itself, and before by what the session commands.
      *
-     * @param alarms of the session
      * @param triedMps the greatest speed in m/s during a trial of its motor; empty where it was not tried
      */
-    public static LaunchCheck of(BoatSnapshot boat, List<Alarm> alarms, OptionalDouble triedMps, long nowMillis) {
-        return of(boat, alarms, triedMps, nowMillis, Optional.empty());
-    }
-
-    /**
-     * The same, in a session that wishes what boats do when their link is lost.
-     *
-     * @param wish empty where it wishes nothing
-     */
-    public static LaunchCheck of(
-            BoatSnapshot boat,
-            List<Alarm> alarms,
-            OptionalDouble triedMps,
-            long nowMillis,
-            Optional<LostLinkAction> wish) {
+    public static LaunchCheck of(BoatSnapshot boat, OptionalDouble triedMps, LaunchFacts known) {
         List<Item> items = new ArrayList<>();
-        items.add(link(boat, nowMillis));
+        boat.unfit(known.robots())
+                .map(text -> new Item(Subject.KIND, State.BAD, text))
+                .ifPresent(items::add);
+        items.add(link(boat, known.nowMillis()));
         items.add(commander(boat));
-        items.add(position(boat, alarms, nowMillis));
-        items.add(compass(boat, alarms));
-        boat.settings().flatMap(BoatTuning::board).map(LaunchCheck::board).ifPresent(items::add);
-        items.add(motor(boat, triedMps));
+        if (boat.kind(known.robots()) == RobotKind.COPTER) {
+            items.add(TakeOffCheck.position(boat, known));
+            items.add(TakeOffCheck.autopilot(boat, known));
+        } else {
+            items.add(position(boat, known));
+            items.add(compass(boat, known));
+            boat.settings().flatMap(BoatTuning::board).map(LaunchCheck::board).ifPresent(items::add);
+            items.add(motor(boat, triedMps));
+        }
         items.add(battery(boat));
-        items.add(lostLink(boat.settings(), wish));
-        boat.settings().map(BoatTuning::capabilities).map(BoatDemands::missing).stream()
+        items.add(lostLink(boat.settings(), known.lostLinkWish()));
+        if (boat.kind(known.robots()) == RobotKind.COPTER) {
+            items.add(TakeOffCheck.area(boat, known));
+        }
+        boat.settings().map(BoatTuning::capabilities).map(BoatDemands::missingEquipment).stream()
                 .flatMap(List::stream)
                 .map(text -> new Item(Subject.EQUIPMENT, State.DOUBTFUL, text))
                 .forEach(items::add);
@@ -177,6 +184,9 @@ public record LaunchCheck(List<Item> items) {
     }
 
     private static Item commander(BoatSnapshot boat) {
+        if (boat.flies() && boat.mode().filter(BoatMode.FLEET_STOP::equals).isPresent()) {
+            return new Item(Subject.COMMANDER, State.BAD, "it is stopped: release it first");
+        }
         return switch (boat.commander()) {
             case THIS_BASE -> new Item(Subject.COMMANDER, State.GOOD, "commanded from here");
             case BY_HAND -> new Item(Subject.COMMANDER, State.DOUBTFUL, "driven by hand: give it back to the missions");
@@ -185,34 +195,37 @@ public record LaunchCheck(List<Item> items) {
         };
     }
 
-    private static Item position(BoatSnapshot boat, List<Alarm> alarms, long now) {
+    private static Item position(BoatSnapshot boat, LaunchFacts known) {
         if (boat.pose().isEmpty()) {
             return new Item(Subject.POSITION, State.UNKNOWN, "it has not said where it is");
         }
-        Optional<String> wrong =
-                alarm(boat, alarms, Alarm.Kind.POSITION_DOUBTFUL).or(() -> alarm(boat, alarms, Alarm.Kind.FENCE));
+        Optional<String> wrong = known.alarm(boat.boat(), Alarm.Kind.POSITION_DOUBTFUL)
+                .or(() -> known.alarm(boat.boat(), Alarm.Kind.FENCE));
         if (wrong.isPresent()) {
             return new Item(Subject.POSITION, State.BAD, wrong.get());
         }
-        long age = boat.poseAgeMillis(now).orElse(0);
-        String text = String.format(
-                Locale.ROOT,
-                "%.6f, %.6f",
-                boat.pose().get().position().latDeg(),
-                boat.pose().get().position().lonDeg());
+        GeoPoint at = boat.pose().get().position();
+        long age = boat.poseAgeMillis(known.nowMillis()).orElse(0);
         return age <= LinkDefaults.LINK_LOST_AFTER_MS
-                ? new Item(Subject.POSITION, State.GOOD, text)
-                : new Item(
-                        Subject.POSITION,
-                        State.BAD,
-                        String.format(Locale.ROOT, "%s was %.0f s ago: wait for its satellites", text, age / 1000.0));
+                ? new Item(Subject.POSITION, State.GOOD, words(at))
+                : new Item(Subject.POSITION, State.BAD, old(at, age));
     }
 
-    private static Item compass(BoatSnapshot boat, List<Alarm> alarms) {
+    /** A position in degrees. */
+    static String words(GeoPoint at) {
+        return String.format(Locale.ROOT, "%.6f, %.6f", at.latDeg(), at.lonDeg());
+    }
+
+    /** A position that was reported so many ms ago. */
+    static String old(GeoPoint at, long ageMillis) {
+        return words(at) + String.format(Locale.ROOT, " was %.0f s ago: wait for its satellites", ageMillis / 1000.0);
+    }
+
+    private static Item compass(BoatSnapshot boat, LaunchFacts known) {
         if (boat.pose().isEmpty()) {
             return new Item(Subject.COMPASS, State.UNKNOWN, "it has not said how it heads");
         }
-        Optional<String> wrong = alarm(boat, alarms, Alarm.Kind.COMPASS_DOUBTFUL);
+        Optional<String> wrong = known.alarm(boat.boat(), Alarm.Kind.COMPASS_DOUBTFUL);
         double degrees = Math.toDegrees(boat.pose().get().headingRad());
         return wrong.map(text -> new Item(Subject.COMPASS, State.BAD, text))
                 .orElseGet(() -> new Item(
@@ -292,13 +305,5 @@ public record LaunchCheck(List<Item> items) {
                             LostLinkWords.of(action) + by + instead);
                 })
                 .orElseGet(() -> new Item(Subject.LOST_LINK, State.UNKNOWN, "has not said what it does"));
-    }
-
-    private static Optional<String> alarm(BoatSnapshot boat, List<Alarm> alarms, Alarm.Kind kind) {
-        return alarms.stream()
-                .filter(alarm ->
-                        alarm.active() && alarm.kind() == kind && alarm.boat().equals(boat.boat()))
-                .map(Alarm::text)
-                .findFirst();
     }
 }

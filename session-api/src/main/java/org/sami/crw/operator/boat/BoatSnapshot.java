@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import org.sami.boat.link.BoatMode;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.explanation.BoatExplanation;
 import org.sami.crw.proxy.status.BatteryState;
@@ -193,6 +194,24 @@ public record BoatSnapshot(
         Objects.requireNonNull(stop, "stop");
         wayHome = List.copyOf(wayHome);
         Objects.requireNonNull(settings, "settings");
+    }
+
+    /**
+     * What it is, as it has reported itself; before its first report what a session is for.
+     *
+     * @param robots what the session's plans command; where those are of several kinds, one that has not reported yet is taken for a boat
+     */
+    public RobotKind kind(RobotKind robots) {
+        return pose.isEmpty() ? robots.of(flies) : RobotKind.ROBOT.of(flies);
+    }
+
+    /**
+     * Why plans cannot command it, as {@code is a boat, and this session flies copters}; empty where they can, and before its first report.
+     *
+     * @param robots what the session's plans command
+     */
+    public Optional<String> unfit(RobotKind robots) {
+        return pose.isEmpty() ? Optional.empty() : robots.unfit(flies);
     }
 
     /** How old the pose is, in ms; empty where there is none. */

@@ -16,6 +16,7 @@ import org.sami.boat.link.BoatPerformance;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.fleet.RobotKind;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.operator.alarm.LaunchCheck.State;
 import org.sami.crw.operator.alarm.LaunchCheck.Subject;
 import org.sami.crw.operator.boat.BoatSnapshot;
@@ -30,11 +31,14 @@ import org.sami.crw.proxy.status.StopLatch;
 import org.sami.spn.json.DomainLibrary;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 
 class LaunchCheckTest {
     private static final long NOW = 10_000;
     private static final Gains GAINS = new Gains(1, 0, 0);
+    private static final LaunchFacts FACTS = facts(RobotKind.BOAT, Optional.empty());
     private static final BoatCapabilities BLIND =
             new BoatCapabilities(Map.of("panorama", "there is no camera on board"), Optional.of(List.of()));
 
@@ -80,7 +84,7 @@ class LaunchCheckTest {
                         "FS_GCS_ENABLE 0")));
         Optional<LostLinkAction> wish = Optional.of(LostLinkAction.RETURN);
 
-        LaunchCheck check = LaunchCheck.of(goesOn, List.of(), OptionalDouble.of(0.5), NOW, wish);
+        LaunchCheck check = LaunchCheck.of(goesOn, OptionalDouble.of(0.5), facts(RobotKind.BOAT, wish));
 
         assertThat(check.words())
                 .isEqualTo("ready; without a link it goes on with its path, else holds its place (FS_GCS_ENABLE 0): set"
@@ -89,7 +93,10 @@ class LaunchCheckTest {
         assertThat(LaunchCheck.isAgainstWish(goesOn, Optional.of(LostLinkAction.CONTINUE)))
                 .isFalse();
         BoatSnapshot drifts = boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.DRIFT);
-        assertThat(LaunchCheck.of(drifts, List.of(), OptionalDouble.of(0.5), NOW, Optional.of(LostLinkAction.DRIFT))
+        assertThat(LaunchCheck.of(
+                                drifts,
+                                OptionalDouble.of(0.5),
+                                facts(RobotKind.BOAT, Optional.of(LostLinkAction.DRIFT)))
                         .words())
                 .isEqualTo("ready");
     }
@@ -106,8 +113,8 @@ class LaunchCheckTest {
 
     @Test
     void whatWasNeverHeardIsUnknownAndKeepsTheBoatAshore() {
-        LaunchCheck check = LaunchCheck.of(
-                boat(NOW, 80, BatteryLevel.NOMINAL, Optional.empty()), List.of(), OptionalDouble.empty(), NOW);
+        LaunchCheck check =
+                LaunchCheck.of(boat(NOW, 80, BatteryLevel.NOMINAL, Optional.empty()), OptionalDouble.empty(), FACTS);
 
         assertThat(state(check, Subject.LOST_LINK)).isEqualTo(State.UNKNOWN);
         assertThat(state(check, Subject.MOTOR)).isEqualTo(State.UNKNOWN);
@@ -118,8 +125,8 @@ class LaunchCheckTest {
 
     @Test
     void aMotorThatNobodyTriedKeepsABoatAshoreAndOutOfNoMission() {
-        LaunchCheck check = LaunchCheck.of(
-                boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.HOLD), List.of(), OptionalDouble.empty(), NOW);
+        LaunchCheck check =
+                LaunchCheck.of(boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.HOLD), OptionalDouble.empty(), FACTS);
 
         assertThat(check.mayLaunch()).isFalse();
         assertThat(check.isReady()).isTrue();
@@ -141,8 +148,7 @@ class LaunchCheckTest {
     void silentControlBoardIsNamedAndABoatWithoutOneIsNotAskedForIt() {
         Optional<BoatTuning> silent =
                 Optional.of(new BoatTuning(GAINS, GAINS, 1, LostLinkAction.HOLD, Optional.of(BoardCondition.SILENT)));
-        LaunchCheck check =
-                LaunchCheck.of(boat(NOW, 80, BatteryLevel.NOMINAL, silent), List.of(), OptionalDouble.of(0.5), NOW);
+        LaunchCheck check = LaunchCheck.of(boat(NOW, 80, BatteryLevel.NOMINAL, silent), OptionalDouble.of(0.5), FACTS);
 
         assertThat(check.isReady()).isFalse();
         assertThat(check.words()).isEqualTo("control board is silent: look at its power and its cable");
@@ -156,8 +162,7 @@ class LaunchCheckTest {
     void whatABoatCannotDoIsNamedAndKeepsItFromNothing() {
         Optional<BoatTuning> blind = Optional.of(
                 new BoatTuning(GAINS, GAINS, 1, LostLinkAction.HOLD, Optional.empty(), BLIND, BoatPerformance.UNKNOWN));
-        LaunchCheck check =
-                LaunchCheck.of(boat(NOW, 80, BatteryLevel.NOMINAL, blind), List.of(), OptionalDouble.of(0.5), NOW);
+        LaunchCheck check = LaunchCheck.of(boat(NOW, 80, BatteryLevel.NOMINAL, blind), OptionalDouble.of(0.5), FACTS);
 
         assertThat(check.isReady()).isTrue();
         assertThat(check.words()).isEqualTo("ready; cannot take pictures all round: there is no camera on board");
@@ -209,10 +214,108 @@ class LaunchCheckTest {
         BoatSnapshot good = boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.HOLD);
         BoatSnapshot empty = boat(NOW, 3, BatteryLevel.CRITICAL, LostLinkAction.HOLD);
 
-        assertThat(FleetCheck.of(List.of(good), List.of(), NOW).words()).isEmpty();
-        FleetCheck check = FleetCheck.of(List.of(empty), List.of(), NOW);
+        assertThat(FleetCheck.of(List.of(good), FACTS).words()).isEmpty();
+        FleetCheck check = FleetCheck.of(List.of(empty), FACTS);
         assertThat(check.words()).isEqualTo("1 of 1 boat is not ready: anna");
         assertThat(check.reasons()).containsExactly("anna: battery 3 %: put a full one in");
+    }
+
+    @Test
+    void robotThatFliesIsCheckedForItsTakeOffAndNobodyTriesItsMotors() {
+        BoatSnapshot copter =
+                boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.RETURN).flying(true);
+
+        LaunchCheck check = LaunchCheck.of(copter, OptionalDouble.empty(), facts(RobotKind.COPTER, Optional.empty()));
+
+        assertThat(check.items())
+                .extracting(LaunchCheck.Item::subject)
+                .containsExactly(
+                        Subject.LINK,
+                        Subject.COMMANDER,
+                        Subject.POSITION,
+                        Subject.AUTOPILOT,
+                        Subject.BATTERY,
+                        Subject.LOST_LINK,
+                        Subject.AREA);
+        assertThat(check.items()).extracting(LaunchCheck.Item::state).containsOnly(State.GOOD);
+        assertThat(check.mayLaunch()).isTrue();
+        assertThat(LaunchCheck.of(copter, OptionalDouble.empty(), facts(RobotKind.ROBOT, Optional.empty()))
+                        .items())
+                .isEqualTo(check.items());
+    }
+
+    @Test
+    void whatTheAutopilotSaysAgainstArmingKeepsACopterOnTheGroundUntilItSaysItNoLonger() {
+        BoatSnapshot copter =
+                boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.RETURN).flying(true);
+        OperatorMessage said = new OperatorMessage(
+                NOW - 30_000,
+                Ids.NONE,
+                OperatorMessage.Source.DOMAIN,
+                Priority.HIGH,
+                "anna says: PreArm: GPS 1: Bad fix",
+                List.of("anna"),
+                "");
+
+        assertThat(LaunchCheck.of(copter, OptionalDouble.empty(), said(said, NOW))
+                        .words())
+                .isEqualTo("autopilot: PreArm: GPS 1: Bad fix");
+        assertThat(state(LaunchCheck.of(copter, OptionalDouble.empty(), said(said, NOW + 60_000)), Subject.AUTOPILOT))
+                .isEqualTo(State.GOOD);
+    }
+
+    private static LaunchFacts said(OperatorMessage message, long nowMillis) {
+        return new LaunchFacts(RobotKind.COPTER, List.of(), List.of(message), Optional.empty(), nowMillis);
+    }
+
+    @Test
+    void copterOutsideOfItsFenceMayNotTakeOff() {
+        BoatSnapshot copter =
+                boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.RETURN).flying(true);
+        Alarm outside = new Alarm(1, Alarm.Kind.FENCE, "anna", "", "anna is outside", 0, true, false, false);
+
+        assertThat(LaunchCheck.of(
+                                copter,
+                                OptionalDouble.empty(),
+                                new LaunchFacts(RobotKind.COPTER, List.of(outside), List.of(), Optional.empty(), NOW))
+                        .words())
+                .isEqualTo("area: anna is outside");
+    }
+
+    @Test
+    void robotOfAnotherKindThanTheSessionsIsNotReadyAndInATeamBothAre() {
+        BoatSnapshot boat = boat(NOW, 80, BatteryLevel.NOMINAL, LostLinkAction.HOLD);
+
+        assertThat(LaunchCheck.of(boat, OptionalDouble.empty(), facts(RobotKind.COPTER, Optional.empty()))
+                        .words())
+                .isEqualTo("is a boat, and this session flies copters");
+        assertThat(LaunchCheck.of(boat.flying(true), OptionalDouble.empty(), FACTS)
+                        .words())
+                .isEqualTo("is a copter, and this session drives boats");
+        assertThat(LaunchCheck.of(boat, OptionalDouble.empty(), facts(RobotKind.ROBOT, Optional.empty()))
+                        .isReady())
+                .isTrue();
+    }
+
+    @Test
+    void vehicleThatTakesNoGainsIsReadyWithoutADoubt() {
+        Optional<BoatTuning> fixed = Optional.of(new BoatTuning(
+                GAINS,
+                GAINS,
+                1,
+                LostLinkAction.HOLD,
+                Optional.empty(),
+                new BoatCapabilities(
+                        Map.of(BoatCapabilities.GAINS, "its gains are parameters of its autopilot"), Optional.empty()),
+                BoatPerformance.UNKNOWN));
+
+        assertThat(LaunchCheck.of(boat(NOW, 80, BatteryLevel.NOMINAL, fixed), OptionalDouble.of(0.5), FACTS)
+                        .words())
+                .isEqualTo("ready");
+    }
+
+    private static LaunchFacts facts(RobotKind robots, Optional<LostLinkAction> wish) {
+        return new LaunchFacts(robots, List.of(), List.of(), wish, NOW);
     }
 
     private static State state(LaunchCheck check, Subject subject) {
@@ -230,7 +333,10 @@ class LaunchCheckTest {
             List<Alarm> alarms,
             LostLinkAction action,
             double triedMps) {
-        return LaunchCheck.of(boat(poseAtMillis, percent, level, action), alarms, OptionalDouble.of(triedMps), NOW);
+        return LaunchCheck.of(
+                boat(poseAtMillis, percent, level, action),
+                OptionalDouble.of(triedMps),
+                new LaunchFacts(RobotKind.BOAT, alarms, List.of(), Optional.empty(), NOW));
     }
 
     private static BoatSnapshot boat(long poseAtMillis, double percent, BatteryLevel level, LostLinkAction action) {
