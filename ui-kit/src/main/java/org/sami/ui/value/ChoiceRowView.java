@@ -10,7 +10,7 @@ import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.sami.ui.look.MarkIcon;
 
-/** One row of a list of choices: its button, its number, its colour, its name and its description. A click anywhere chooses it. */
+/** One row of a list of choices: its button, its number, its colour, its name and its description, of which a tooltip has the whole. A click anywhere chooses it. */
 final class ChoiceRowView extends JPanel {
     private static final int NUMBERED = 9;
 
@@ -37,7 +37,7 @@ final class ChoiceRowView extends JPanel {
         add(button, "growx, spanx, wrap");
         detail = new NoteLabel("");
         detail.setName(field.componentName("detail-" + (index + 1)));
-        add(detail, "skip 1, growx, spanx, gapleft 22, gaptop 0, gapbottom 2");
+        add(detail, "skip 1, growx, wmin 0, spanx, gapleft 22, gaptop 0, gapbottom 2");
         showDetail(row.detail());
         addMouseListener(new MouseAdapter() {
             @Override
@@ -54,6 +54,7 @@ final class ChoiceRowView extends JPanel {
     final void showDetail(String text) {
         if (!text.equals(detail.getText())) {
             detail.setText(text);
+            setToolTipText(text.isEmpty() ? null : text); // of the row: the text itself may end with an ellipsis
             button.getAccessibleContext().setAccessibleDescription(text);
         }
         detail.setVisible(!text.isEmpty());
