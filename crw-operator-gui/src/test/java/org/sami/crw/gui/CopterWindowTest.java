@@ -2,9 +2,11 @@ package org.sami.crw.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -98,6 +100,45 @@ class CopterWindowTest {
             assertThat(tabsWith("map")).containsExactly("Map", "Pictures", "Gantt");
             assertThat(robot.find(DockPanel.class, "missions").title()).isEqualTo("Missions");
             robot.until("the copters are a line each again", () -> lines.isShowing() && !cards.isShowing());
+        }
+    }
+
+    @Test
+    void copterIsCheckedForItsTakeOffAndOffersNeitherMotorTrialNorStickNorGains() throws Exception {
+        RealDisplay.assumed();
+        try (OpenedWindow opened = OpenedWindow.open(options("uav"), folder)) {
+            robot.untilSaid("boats-count", "5 of 5 copters");
+            robot.clickRow("boats-table", "copter1");
+            WindowRobot.ask(() -> {
+                opened.window().commands().get("panel-boat").run();
+                return true;
+            });
+            JTabbedPane tabs = robot.find(JTabbedPane.class, "boat-tabs");
+            assertThat(WindowRobot.ask(() -> IntStream.range(0, tabs.getTabCount())
+                            .mapToObj(tabs::getTitleAt)
+                            .toList()))
+                    .containsExactly("Commands", "Before take-off", "Settings");
+            WindowRobot.ask(() -> {
+                tabs.setSelectedIndex(1);
+                return true;
+            });
+
+            robot.untilSaid("boat-launch-summary", "✓ may take off: 7 of 7 good");
+            for (String absent : List.of("boat-try-motor", "boat-by-hand", "phone-add", "boats-ground-station")) {
+                assertThat(opened.window().commands().find(absent)).as(absent).isEmpty();
+            }
+            WindowRobot.ask(() -> {
+                tabs.setSelectedIndex(2);
+                return true;
+            });
+            JComponent gains = robot.find(JComponent.class, any -> "boat-lost-link".equals(any.getName()));
+            assertThat(WindowRobot.ask(() -> Stream.of(gains.getParent().getComponents())
+                            .filter(Component::isVisible)
+                            .map(Component::getName)
+                            .filter(Objects::nonNull)
+                            .toList()))
+                    .contains("boat-velocity-now", "boat-lost-link-now")
+                    .doesNotContain("boat-heading-now", "boat-speed-now");
         }
     }
 

@@ -65,9 +65,9 @@ class RobotWordsWindowTest {
         assertThat(words).filteredOn(contains("boats?")).hasSizeGreaterThan(50);
     }
 
-    /** Whether a text contains a word; paths of files are left out, as the window does not choose them. */
+    /** Whether a text contains a word; absolute paths of files are left out, as the window does not choose them. */
     private static Predicate<String> contains(String word) {
-        Predicate<String> contained = Pattern.compile("(?<![/\\w])(" + word + ")(?![/\\w])", Pattern.CASE_INSENSITIVE)
+        Predicate<String> contained = Pattern.compile("(?<!\\w)(" + word + ")(?!\\w)", Pattern.CASE_INSENSITIVE)
                 .asPredicate();
         return text -> contained.test(
                 PATH.matcher(LINK.matcher(text).replaceAll("LINK")).replaceAll("FILE"));
@@ -90,7 +90,9 @@ class RobotWordsWindowTest {
             OperatorWindow window = opened.window();
             robot.untilSaid("boats-count", linked);
             read(window);
-            SHEETS.forEach(sheet -> readSheet(window, sheet));
+            SHEETS.stream()
+                    .filter(sheet -> window.commands().find(sheet).isPresent())
+                    .forEach(sheet -> readSheet(window, sheet));
             run(window, "panel-map");
             robot.find(MapView.class, map -> true); // waits until it is in front
             run(window, "map-layers");
