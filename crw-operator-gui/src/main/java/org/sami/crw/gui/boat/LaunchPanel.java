@@ -67,7 +67,10 @@ final class LaunchPanel extends JPanel {
         table.table().getAccessibleContext().setAccessibleName(context.say("Boat launch"));
         summary.setName("boat-launch-summary");
         CommandRow head = new CommandRow();
-        head.left(summary).right(setLostLink).right(tryMotor);
+        head.left(summary).right(setLostLink);
+        if (context.robots() != RobotKind.COPTER) {
+            head.right(tryMotor);
+        }
         add(head);
         table.showAllRows(true); // the tab scrolls, with what stands above the checks
         add(table);
@@ -84,7 +87,7 @@ final class LaunchPanel extends JPanel {
         lostLink.command().refresh();
         setLostLink.setVisible(boat.filter(one -> LaunchCheck.isAgainstWish(one, context.lostLinkWish()))
                 .isPresent());
-        tryMotor.setVisible(boat.map(one -> !context.flies(one.boat())).orElse(context.robots() != RobotKind.COPTER));
+        tryMotor.setVisible(boat.filter(one -> context.flies(one.boat())).isEmpty());
         Optional<LaunchCheck> check =
                 boat.map(one -> LaunchCheck.of(one, motor.seenMps(one.boat()), context.launchFacts()));
         UnaryOperator<String> words = boat.<UnaryOperator<String>>map(one -> text -> context.sayOf(one.boat(), text))
