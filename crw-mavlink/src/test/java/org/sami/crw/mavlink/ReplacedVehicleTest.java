@@ -13,17 +13,16 @@ import org.sami.boat.link.Ack;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.SettingsReport;
-import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Telemetry;
-import org.sami.boat.link.UploadWaypoints;
-import org.sami.boat.link.Waypoint;
-import org.sami.boat.link.Welcome;
 import org.sami.boat.server.testing.Await;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.gateway.LinkStatus;
 import org.sami.mavlink.testing.SmallBoat;
 import org.sami.mavlink.testing.SmallCopter;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
 
 /** Another vehicle comes with the system id of one that is connected, or was: on the same port, as autopilots are switched off and on. */
 @Timeout(600)
@@ -32,7 +31,7 @@ class ReplacedVehicleTest {
     private static final double LON = 10.72;
     private static final double TIMES = 10;
     private static final double HEIGHT_M = 20;
-    private static final List<Waypoint> PATH = List.of(new Waypoint(LAT, LON, 1), new Waypoint(45.8, LON, 1));
+    private static final List<GeoPoint> PATH = List.of(new GeoPoint(LAT, LON, 0), new GeoPoint(45.8, LON, 0));
 
     @TempDir
     private Path folder;
@@ -54,7 +53,12 @@ class ReplacedVehicleTest {
 
     private void switchBoatOff() throws Exception {
         boat.close();
-        Await.until("it is silent", () -> client.linkStatuses().stream().noneMatch(LinkStatus::isGood));
+        Await.until("its link is lost", this::isSilent);
+    }
+
+    private boolean isSilent() {
+        List<LinkStatus> links = client.linkStatuses(); // none before the first report
+        return !links.isEmpty() && links.stream().noneMatch(LinkStatus::isGood);
     }
 
     private SmallCopter copterInTheAir() throws Exception {
@@ -94,19 +98,30 @@ class ReplacedVehicleTest {
 
     @Test
     void missionOfABoatIsNotGoneOnWithByAnotherBoatWithItsNumber() throws Exception {
-        client.ask(new UploadWaypoints("upload", "list", PATH));
-        client.ask(new StartWaypoints("start", "list", 0));
-        String start = client.last(Welcome.class).orElseThrow().bootId();
-        switchBoatOff();
-        try (SmallBoat another = anotherBoat()) {
-            client.reconnect();
-            client.untilAlarm("another boat answers with the number of mav7");
-            Await.until(
-                    "it says where it is", () -> client.last(Telemetry.class).isPresent());
+        client.close();
+        try (GatewayWorld world = new GatewayWorld(folder)) {
+            world.connect(boat.address() + "/7");
+            world.untilReady("mav7");
+            world.tell("mav7", proxy -> proxy.commands().submit(FollowPath.of("path", 1, 1, PATH, Priority.MEDIUM)));
+            Await.until("it sets off", GatewayWorld.WAIT_S, boat::isArmed);
+            boat.close();
+            try (SmallBoat another = anotherBoat()) {
+                another.restart(); // it has just been switched on
+                another.parameter("STAT_BOOTCNT", 41); // as often as the one before
+                Await.until(
+                        "the operator is told",
+                        GatewayWorld.WAIT_S,
+                        () -> world.alarms.stream()
+                                .anyMatch(text -> text.startsWith("another boat answers with the number of mav7 on ")));
+                Await.until(
+                        "it may not move yet",
+                        GatewayWorld.WAIT_S,
+                        () -> world.has(FleetEvent.Restarted.class, event -> true));
+                world.untilReady("mav7");
 
-            assertThat(client.last(Welcome.class).orElseThrow().bootId()).isNotEqualTo(start);
-            assertThat(another.armings()).isZero();
-            assertThat(another.orderedModes()).isEmpty();
+                assertThat(another.armings()).isZero();
+                assertThat(another.orderedModes()).isEmpty();
+            }
         }
     }
 

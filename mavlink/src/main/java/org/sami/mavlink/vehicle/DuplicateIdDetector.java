@@ -16,6 +16,7 @@ final class DuplicateIdDetector {
     private double latDeg = Double.NaN;
     private double lonDeg = Double.NaN;
     private long atMs;
+    private long kindMs = Long.MIN_VALUE / 2; // when its kind changed last
     private long lastMs = Long.MIN_VALUE / 2;
     private long lastButOneMs = Long.MIN_VALUE / 2;
 
@@ -40,6 +41,21 @@ final class DuplicateIdDetector {
         latDeg = lat;
         lonDeg = lon;
         atMs = nowMs;
+    }
+
+    /**
+     * Another vehicle answers with the id: the time since its start and its place are its own.
+     *
+     * @param isOfAnotherKind where kinds change twice, there are two
+     */
+    void replaced(boolean isOfAnotherKind, long nowMs) {
+        sinceBootMs = 0;
+        latDeg = Double.NaN;
+        if (isOfAnotherKind && nowMs - kindMs < WITHIN_MS) {
+            jumped(nowMs);
+            jumped(nowMs);
+        }
+        kindMs = isOfAnotherKind ? nowMs : kindMs;
     }
 
     private void jumped(long nowMs) {

@@ -127,6 +127,7 @@ final class VehicleRecord {
         if (!isOfKind || isAnother) {
             events.add(new VehicleEvent.Replaced(id, kind, said));
             forget();
+            duplicates.replaced(!isOfKind, heardMs);
             numberSaid &= isOfKind; // it may be the number of the one before
         }
         kind = said == VehicleKind.OTHER ? kind : said;

@@ -97,6 +97,21 @@ class VehicleTableTest {
     }
 
     @Test
+    void boatAndCopterThatSpeakInTurnAreTwoWithOneIdAndNotOneAfterTheOther() {
+        int replaced = 0;
+        for (int s = 1; s <= 9; s++) {
+            MavType type = s % 2 == 0 ? MavType.MAV_TYPE_QUADROTOR : MavType.MAV_TYPE_SURFACE_BOAT;
+            replaced += (int) after(s * 1_000L, beat(type)).stream()
+                    .filter(VehicleEvent.Replaced.class::isInstance)
+                    .count();
+        }
+
+        assertThat(replaced).isEqualTo(2);
+        assertThat(table.isTwin(new VehicleId(1, 1))).isTrue();
+        assertThat(table.mayFly(new VehicleId(1, 1), 9_500)).isTrue();
+    }
+
+    @Test
     void vehicleThatIsNotHeardMayBeOneThatFlies() {
         VehicleId id = new VehicleId(1, 1);
         after(1_000, beat(MavType.MAV_TYPE_SURFACE_BOAT));
