@@ -19,7 +19,7 @@ class DomainOptionTest {
         Path svg = folder.resolve("search.svg");
 
         assertThat(CommandResult.crw("check", "--domain", "uav").out()).isEqualTo("uav: 0 errors, 0 warnings\n");
-        assertThat(CommandResult.crw("test", "--domain", "uav", "search").out()).contains("search: 6 passed, 0 failed");
+        assertThat(CommandResult.crw("test", "--domain", "uav", "search").out()).contains("search: 8 passed, 0 failed");
         assertThat(CommandResult.crw("phases", "--domain", "uav", "search", "--choose", "Nothing seen")
                         .out())
                 .contains("Search: Target seen | Nothing seen (shown) | It cannot | It is lost")
@@ -28,6 +28,19 @@ class DomainOptionTest {
                         .exitCode())
                 .isZero();
         assertThat(Files.readString(svg)).contains("Operator chooses");
+    }
+
+    @Test
+    void plansOfADomainAreListed() {
+        CommandResult named = CommandResult.crw("plans", "--domain", "uav");
+        CommandResult inFolder = CommandResult.crw("plans", "--domain", FOLDER, "search-area");
+
+        assertThat(named.exitCode()).as(named.err()).isZero();
+        assertThat(named.out())
+                .contains("search  (", "--set fly-there.speed=real  (8)", "--interrupt copters home@SECONDS")
+                .doesNotContain("clv");
+        assertThat(inFolder.out()).startsWith("search-area  (").doesNotContain("two-look-closer");
+        assertThat(CommandResult.crw("plans", "--domain", "team").out()).contains("scout-and-sample");
     }
 
     @Test
@@ -69,7 +82,7 @@ class DomainOptionTest {
 
     @Test
     void unknownDomainIsAMistakeInUsage() {
-        for (String command : new String[] {"check", "test", "phases"}) {
+        for (String command : new String[] {"plans", "check", "test", "phases"}) {
             CommandResult ran = CommandResult.crw(command, "--domain", "uavs", "search");
 
             assertThat(ran.exitCode()).isEqualTo(2);
@@ -83,7 +96,7 @@ class DomainOptionTest {
                 folder.resolve("domain.json"),
                 "{\"formatVersion\": 1, \"domain\": \"kite\", \"files\": [\"no.json\"]}");
 
-        for (String command : new String[] {"test", "phases"}) {
+        for (String command : new String[] {"plans", "test", "phases"}) {
             CommandResult ran = CommandResult.crw(command, "--domain", folder.toString(), "search");
 
             assertThat(ran.exitCode()).isEqualTo(1);

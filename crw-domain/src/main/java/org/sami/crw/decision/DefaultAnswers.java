@@ -12,7 +12,7 @@ import org.sami.spn.value.GeoPoint;
  * @param areaM side of the square in metres
  * @param locations number of locations that it marks where a list of them is asked for
  * @param seed of all invented values
- * @param boats the boats that get a share where a value for each boat is asked for
+ * @param boats the boats that get a share where a value for each boat is asked for, and the last of which is named where one boat is asked for
  */
 public record DefaultAnswers(
         GeoPoint quay, GeoPoint centre, double areaM, int locations, long seed, List<String> boats) {

@@ -49,6 +49,9 @@ final class GeneratedValues {
         if (type.equals(ValueType.Simple.BOOLEAN)) {
             return Optional.of(new BooleanValue(true));
         }
+        if (type.equals(ValueType.Simple.PROXY)) {
+            return lastBoat();
+        }
         if (type instanceof ValueType.ListOf list && list.element().equals(ValueType.Simple.POINT)) {
             return Optional.of(new ListValue(List.copyOf(markLocations())));
         }
@@ -56,6 +59,12 @@ final class GeneratedValues {
             return forEachBoat(map.value());
         }
         return Optional.empty();
+    }
+
+    /** The last one, as fewer boats than there are begin with the first. */
+    private Optional<Value> lastBoat() {
+        List<String> boats = defaults.boats();
+        return boats.isEmpty() ? Optional.empty() : Optional.of(new ProxyValue(boats.get(boats.size() - 1)));
     }
 
     private Optional<Value> forEachBoat(ValueType share) {

@@ -13,7 +13,7 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Finds boats that wait because another boat lies at their next waypoint: a boat that gives way to one that does not move waits until somebody moves
- * it. For the thread that drives the proxies.
+ * it. An aircraft lies there only at the waypoint's height, and one that climbs or sinks on the spot does not wait. For the thread that drives the proxies.
  */
 public final class TakenWaypoints {
     /** So many looks, a second apart, a boat waits before it is named: many make room by then. */
@@ -22,6 +22,7 @@ public final class TakenWaypoints {
     private static final double STILL_MPS = 0.3;
     private static final double AT_M = 5; // two boats that lie so near to one another are as near as they come
     private static final double WAITS_WITHIN_M = 15;
+    private static final double HEIGHT_M = 3; // less than the layers in which aircraft fly are apart
 
     private final Map<String, Waits> waiting = new HashMap<>();
 
@@ -68,7 +69,8 @@ public final class TakenWaypoints {
     }
 
     private static boolean isWaiting(BoatProxy boat, GeoPoint target) {
-        return boat.traffic()
+        return isAtHeight(boat, target)
+                && boat.traffic()
                 .sighting()
                 .filter(at -> at.mode() == BoatMode.PATH && isStill(at) && distanceM(at, target) < WAITS_WITHIN_M)
                 .isPresent();
@@ -77,12 +79,21 @@ public final class TakenWaypoints {
     private static Optional<String> whoLiesAt(GeoPoint target, BoatProxy boat, Collection<BoatProxy> boats) {
         return boats.stream()
                 .filter(other -> other != boat
+                        && isAtHeight(other, target)
                         && other.traffic()
                                 .sighting()
                                 .filter(at -> isStill(at) && distanceM(at, target) < AT_M)
                                 .isPresent())
                 .map(BoatProxy::boatId)
                 .findFirst();
+    }
+
+    private static boolean isAtHeight(BoatProxy boat, GeoPoint point) {
+        return !boat.isFlying()
+                || boat.status()
+                        .pose()
+                        .filter(pose -> Math.abs(pose.position().altM() - point.altM()) >= HEIGHT_M)
+                        .isEmpty();
     }
 
     private static boolean isStill(Sighting at) {

@@ -91,6 +91,15 @@ class SimulatedOperatorTest {
     }
 
     @Test
+    void whereOneBoatIsAskedForItNamesOneOfTheFleet() {
+        SimulatedOperator knowing = new SimulatedOperator(
+                VOCABULARY, new DefaultAnswers(CENTRE, CENTRE, 600, 20, 1, List.of("a", "b")), AnswersFile.EMPTY);
+
+        assertThat(fields(knowing, item("robot", ValueType.Simple.PROXY, Optional.empty())))
+                .containsEntry("robot", new ProxyValue("b"));
+    }
+
+    @Test
     void itKeepsDefaultsAndSaysWhatItCannotAnswer() {
         SimulatedOperator operator = operator(1, "");
         Question.Item every = item("every", ValueType.Simple.DURATION, Optional.of(new DurationValue(5000)));

@@ -45,10 +45,9 @@ public final class DreammCommand implements Callable<Integer> {
 
     @Option(
             names = "--domain",
-            paramLabel = "FOLDER",
-            description =
-                    "The words that plans are made of: a folder with a domain.json, or uav, which ships; else those of"
-                            + " the boats.")
+            paramLabel = "NAME|FOLDER",
+            description = "The words that plans are made of: uav or team, which ship, or a folder with a domain.json;"
+                    + " else those of the boats.")
     private @Nullable Path domain;
 
     @Option(

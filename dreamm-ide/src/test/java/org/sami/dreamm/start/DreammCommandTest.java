@@ -52,6 +52,15 @@ class DreammCommandTest {
     }
 
     @Test
+    void domainsThatShipAreOpenedByTheNamesThatTheHelpSays() {
+        assertThat(run("--domain", "team", "scout-and-sample")).as(err.toString()).isZero();
+
+        assertThat(opened.get(0).plan()).contains("scout-and-sample");
+        String help = new CommandLine(new DreammCommand((options, first, data) -> {})).getUsageMessage();
+        assertThat(help).contains("--domain=NAME|FOLDER").contains("uav or team, which ship");
+    }
+
+    @Test
     void badInputIsAnsweredInOneLine() throws IOException {
         Files.writeString(folder.resolve("p.json"), "[]");
 

@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.crw.event.Numbers;
+import org.sami.boat.link.BatteryLevel;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.motion.LaterMoves;
@@ -108,6 +109,14 @@ final class Flights implements Consumer<FleetEvent>, HostListener, LaterMoves {
         return position(aircraft).filter(at -> at.altM() > GROUND_M).isPresent();
     }
 
+    /** Whether its battery is neither low nor critical, as far as it has said. */
+    boolean isCharged(String aircraft) {
+        return robots.find(aircraft)
+                .flatMap(proxy -> proxy.status().battery())
+                .filter(battery -> battery.level() != BatteryLevel.NOMINAL)
+                .isEmpty();
+    }
+
     /** A point at another altitude. */
     static GeoPoint at(GeoPoint point, double altM) {
         return new GeoPoint(point.latDeg(), point.lonDeg(), altM);
@@ -166,7 +175,7 @@ final class Flights implements Consumer<FleetEvent>, HostListener, LaterMoves {
             return new Flight(aircraft, points, speedMps, Optional.of(new GeoPath(asked)), Optional.empty());
         }
 
-        /** Not known yet. Only of commands whose failure is no answer, as the flight comes later. */
+        /** Not known yet. The operator is told, and the plan is answered nothing, as the flight comes later. */
         static Flight unknown(Addressee aircraft, String why) {
             return new Flight(aircraft, List.of(), SPEED_MPS, Optional.empty(), Optional.of(why));
         }
@@ -179,7 +188,8 @@ final class Flights implements Consumer<FleetEvent>, HostListener, LaterMoves {
             replaceWaiting(activation, flight.aircraft());
             Optional<String> reason = refusal(flight);
             if (reason.isPresent()) {
-                motion.refuse(activation, context, flight.aircraft(), reply, reason.get());
+                Reply failed = reason.equals(flight.unknown()) ? Reply.NONE : reply; // for the former comes later
+                motion.refuse(activation, context, flight.aircraft(), failed, reason.get());
                 boolean stays = flight.unknown().isPresent()
                         && !context.redelivered(); // after a restart it may be on its way there
                 if (stays) {

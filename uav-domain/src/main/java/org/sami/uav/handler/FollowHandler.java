@@ -40,7 +40,7 @@ import org.sami.spn.value.ProxyValue;
  * plan asks for something else. It gets a new place to fly to whenever the robot has moved a few metres.
  *
  * <p>Where that place is in a no-go area or outside of the fence, or there is no way to it, the aircraft stays where it is in the air and the operator is told once; it
- * goes on when the robot is where it can be followed. One whose command was taken from it, as by a stop of the fleet, and one that waits and is aborted, do not follow any longer: they would fly off by
+ * goes on when the robot is where it can be followed. The robot itself, where it is among the aircraft, is left out, and the operator is told. One whose command was taken from it, as by a stop of the fleet, and one that waits and is aborted, do not follow any longer: they would fly off by
  * themselves. For the fleet's thread; it passes the engine's steps on to it.
  */
 final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, HostListener, LaterMoves {
@@ -123,7 +123,11 @@ final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, Ho
         if (!(ActivationFields.required(activation, "robot") instanceof ProxyValue leader)) {
             throw new IllegalArgumentException("\"robot\" is no robot: " + activation.value("robot"));
         }
-        List<Follower> aircraft = Addressee.of(activation, context).stream()
+        List<Addressee> all = Addressee.of(activation, context);
+        if (all.stream().anyMatch(one -> one.boat().equals(leader.proxy()))) {
+            tell(activation, context, leader.proxy(), Priority.MEDIUM, "is the one that is followed, and follows nobody");
+        }
+        List<Follower> aircraft = all.stream()
                 .filter(one -> !one.boat().equals(leader.proxy()))
                 .filter(one -> !motion.isTakenBack(activation.id(), one.boat()))
                 .map(Follower::new)
@@ -267,15 +271,19 @@ final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, Ho
     }
 
     /** A later message of the same takes its place. */
-    private void tell(Following following, Follower one, Priority priority, String words) {
+    private void tell(Activation activation, HandlerContext context, String aircraft, Priority priority, String words) {
         messages.tell(new OperatorMessage(
-                following.context.nowMillis(),
-                following.activation.mission(),
+                context.nowMillis(),
+                activation.mission(),
                 OperatorMessage.Source.DOMAIN,
                 priority,
-                one.name() + " " + words,
-                List.of(one.name()),
-                "follow/" + one.name()));
+                aircraft + " " + words,
+                List.of(aircraft),
+                "follow/" + aircraft));
+    }
+
+    private void tell(Following following, Follower one, Priority priority, String words) {
+        tell(following.activation, following.context, one.name(), priority, words);
     }
 
     /** On the line from the leader to the follower, so that it does not fly over the leader. */

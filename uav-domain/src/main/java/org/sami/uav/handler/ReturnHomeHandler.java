@@ -32,7 +32,7 @@ final class ReturnHomeHandler implements ActivationHandler {
                 context,
                 Addressee.of(activation, context),
                 (aircraft, here) -> flight(aircraft, here, speedMps),
-                Reply.way(UavEvents.LANDED, ""));
+                Reply.way(UavEvents.LANDED, UavEvents.CANNOT_FLY));
     }
 
     private Flights.Flight flight(Addressee aircraft, GeoPoint here, double speedMps) {

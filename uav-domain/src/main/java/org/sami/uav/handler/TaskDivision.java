@@ -4,13 +4,22 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.handler.activation.ActivationMessages;
+import org.sami.crw.message.MessageSink;
 import org.sami.crw.service.Geodesy;
+import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
+import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.MapValue;
@@ -21,13 +30,24 @@ import org.sami.spn.value.TaskId;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
-/** Compute Allocations: divides the tasks so that the longest way is short, or gives each to the nearest aircraft. The one with the shorter longest way is first. */
-final class TaskDivision implements ActivationHandler {
+/**
+ * Compute Allocations: divides the tasks so that the longest way is short, or gives each to the nearest aircraft. The one with the shorter longest way is first.
+ * Aircraft whose batteries are low get none; where all are low, the tasks wait until one is charged. For the fleet's thread; it passes the engine's steps on to it.
+ */
+final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, HostListener {
     private final Flights flights;
+    private final MessageSink messages;
+    private final Executor fleet;
+    private final Map<Long, Waiting> waiting = new LinkedHashMap<>(); // by activation
 
-    TaskDivision(Flights flights) {
+    TaskDivision(Flights flights, MessageSink messages, Executor fleet) {
         this.flights = flights;
+        this.messages = messages;
+        this.fleet = fleet;
     }
+
+    /** Tasks for which no aircraft is charged. */
+    private record Waiting(Activation activation, HandlerContext context) {}
 
     /** Where an aircraft is after its tasks, and how far it flies to do them. */
     private record Way(GeoPoint end, double metres) {
@@ -68,12 +88,56 @@ final class TaskDivision implements ActivationHandler {
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        Map<String, GeoPoint> from = new LinkedHashMap<>();
-        context.query(view -> view.proxies())
-                .forEach(name -> flights.position(name).ifPresent(at -> from.put(name, at)));
+        Map<String, GeoPoint> from = placed(context);
         if (from.isEmpty()) {
             throw new IllegalArgumentException("no aircraft has said where it is");
         }
+        from.keySet().removeIf(name -> !flights.isCharged(name));
+        if (from.isEmpty()) {
+            waiting.put(activation.id(), new Waiting(activation, context));
+            messages.tell(ActivationMessages.of(
+                    activation,
+                    context,
+                    Priority.HIGH,
+                    "All batteries are low: the tasks are allocated once one is charged",
+                    List.of()));
+        } else {
+            divide(activation, context, from);
+        }
+    }
+
+    private Map<String, GeoPoint> placed(HandlerContext context) {
+        Map<String, GeoPoint> from = new LinkedHashMap<>();
+        context.query(view -> view.proxies())
+                .forEach(name -> flights.position(name).ifPresent(at -> from.put(name, at)));
+        return from;
+    }
+
+    @Override
+    public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.StatusReported reported
+                && flights.isCharged(reported.status().boatId())) {
+            for (Waiting one : List.copyOf(waiting.values())) {
+                Map<String, GeoPoint> from = placed(one.context);
+                from.keySet().removeIf(name -> !flights.isCharged(name));
+                if (!from.isEmpty()) {
+                    waiting.remove(one.activation.id());
+                    divide(one.activation, one.context, from);
+                }
+            }
+        }
+    }
+
+    @Override
+    public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        for (Effect effect : effects) {
+            if (effect instanceof Effect.ActivationEnded ended) {
+                fleet.execute(() -> waiting.remove(ended.activation()));
+            }
+        }
+    }
+
+    private static void divide(Activation activation, HandlerContext context, Map<String, GeoPoint> from) {
         Map<TaskId, GeoPoint> locations = new LinkedHashMap<>();
         activation.tasks().forEach(task -> locations.put(task, location(context, task)));
         Shares even = new Shares(from, "short ways for all");

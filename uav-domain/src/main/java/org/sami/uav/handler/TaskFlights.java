@@ -134,11 +134,19 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
         for (Effect effect : effects) {
             if (effect instanceof Effect.CommandsWithdrawn withdrawn) {
                 fleet.execute(() -> withdraw(withdrawn.mission(), withdrawn.proxies()));
+            } else if (effect instanceof Effect.TasksAllocated allocated) {
+                fleet.execute(() -> allocated.before().forEach(this::drop));
             }
         }
         if (input instanceof Input.Received || !effects.isEmpty()) {
             fleet.execute(() -> stepped(input));
         }
+    }
+
+    /** A task that an aircraft had: it is another's, or comes again with the aircraft's next flights. */
+    private void drop(TaskId task, String aircraft) {
+        waiting.getOrDefault(aircraft, new ArrayDeque<>())
+                .removeIf(one -> one.task().equals(task));
     }
 
     private void stepped(Input input) {

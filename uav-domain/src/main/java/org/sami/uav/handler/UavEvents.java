@@ -15,6 +15,7 @@ final class UavEvents {
     static final String SEARCH_AROUND = "SearchAround";
     static final String FOLLOW = "Follow";
     static final String COMPUTE_ALLOCATIONS = "ComputeAllocations";
+    static final String GIVE_BACK_TASKS = "GiveBackTasks";
     static final String PLAN_LANES = "PlanLanes";
     static final String WATCH_WIND = "WatchWind";
     static final String WATCH_TARGETS = "WatchTargets";
@@ -35,6 +36,7 @@ final class UavEvents {
     static final String NOTHING_SEEN = "NothingSeen";
     static final String CANNOT_FLY = "CannotFly";
     static final String ALLOCATIONS_COMPUTED = "AllocationsComputed";
+    static final String TASKS_GIVEN_BACK = "TasksGivenBack";
     static final String LANES_PLANNED = "LanesPlanned";
     static final String WIND_STRONG = "WindStrong";
     static final String AIRCRAFT_LOST = "AircraftLost";

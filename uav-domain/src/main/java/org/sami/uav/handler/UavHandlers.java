@@ -79,7 +79,11 @@ public final class UavHandlers implements HandlerModule {
     }
 
     private static void addPlanning(HandlerParts parts, Flights flights) {
-        parts.add(UavEvents.COMPUTE_ALLOCATIONS, new TaskDivision(flights));
+        TaskDivision division = new TaskDivision(flights, parts.messages(), parts.fleet());
+        parts.add(UavEvents.COMPUTE_ALLOCATIONS, division);
+        parts.listen((Consumer<FleetEvent>) division);
+        parts.listen((HostListener) division);
+        parts.add(UavEvents.GIVE_BACK_TASKS, new GiveBackTasksHandler());
         parts.add(UavEvents.PLAN_LANES, new LanePlanHandler(parts, flights));
     }
 

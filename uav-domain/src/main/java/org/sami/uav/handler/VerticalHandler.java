@@ -40,6 +40,6 @@ final class VerticalHandler implements ActivationHandler {
                 context,
                 Addressee.of(activation, context),
                 (aircraft, here) -> new Flights.Flight(aircraft, List.of(Flights.at(here, altM)), Flights.SPEED_MPS),
-                Reply.way(answer, down ? "" : UavEvents.CANNOT_FLY));
+                Reply.way(answer, UavEvents.CANNOT_FLY));
     }
 }

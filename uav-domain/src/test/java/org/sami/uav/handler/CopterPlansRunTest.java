@@ -37,6 +37,14 @@ class CopterPlansRunTest {
                         "All down"),
                 of(Run.of("search", 2), "Arrived", "All searched", "All are down"),
                 of(
+                        Run.of("search", 2).charged("34"),
+                        "Battery low",
+                        "Lost under way",
+                        "Battery is charged",
+                        "All searched",
+                        "All are down"),
+                of(Run.of("path-approval", 2).charged("34"), "Battery low", "All are down"),
+                of(
                         Run.of("path-approval", 2)
                                 .answering("{\"event\": \"ApprovePaths\", \"nth\": 1, \"answer\": {\"yes\": false}}"),
                         "Not approved",
@@ -47,6 +55,11 @@ class CopterPlansRunTest {
                 of(Run.of("search-area", 2).in(NamedConditions.ROUGH).with(Map.of("limit", "2")), "Wind too strong"),
                 of(Run.of("search-area", 2).charged("36"), "Battery low", "All are down"),
                 of(Run.of("two-look-closer", 3), "Target sighted", "There", "Pictures taken", "It is one"),
+                of(
+                        Run.of("two-look-closer", 3).charged("40,40,100"),
+                        "Battery low of one that stands by",
+                        "Battery is charged",
+                        "All are down"),
                 of(
                         Run.of("battery-rotation", 3)
                                 .charged("45")
@@ -62,6 +75,8 @@ class CopterPlansRunTest {
                         "Airborne",
                         "Time is up",
                         "All are down"),
+                of(Run.of("follow", 2), "Airborne", "Time is up", "All are down"),
+                of(Run.of("follow", 2).charged("34"), "Battery low", "All are down"),
                 of(
                         Run.of("wind-watch", 1).with(Map.of("location", POST, "how-long.duration", "20s")),
                         "There",
@@ -80,6 +95,7 @@ class CopterPlansRunTest {
 
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
         assertThat(report.firings().stream().map(FiringResult::transition)).containsAll(fires);
+        assertThat(report.boats()).allMatch(copter -> copter.batteryPercent() > 0);
     }
 
     @Test

@@ -71,6 +71,11 @@ final class FlightHandlerHarness implements HandlerContext {
 
     /** Copters on the ground, whose links are not up before time passes. */
     FlightHandlerHarness(int copters) {
+        this(copters, HullConfig.COPTER);
+    }
+
+    /** Robots of another hull, too. */
+    FlightHandlerHarness(int copters, HullConfig hull) {
         fleet = new SimulatedFleet(
                 clock,
                 1,
@@ -78,7 +83,7 @@ final class FlightHandlerHarness implements HandlerContext {
                 45.7,
                 10.72,
                 id -> event -> List.copyOf(listeners).forEach(listener -> listener.accept(event)),
-                FleetConfig.DEFAULT.withHull(HullConfig.COPTER));
+                FleetConfig.DEFAULT.withHull(hull));
         BoatErrors errors = new BoatErrors(fleet.proxies(), CrwServices.STANDARD.error());
         motion = new MotionCommands(
                 fleet.proxies(),

@@ -2,6 +2,7 @@ package org.sami.uav.handler;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -13,6 +14,7 @@ import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.motion.PathProgress;
 import org.sami.crw.proxy.status.BoatReading;
+import org.sami.crw.proxy.TakenWaypoints;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Token;
@@ -21,6 +23,9 @@ import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.ListValue;
+import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.MapValue;
+import org.sami.crw.sim.hull.HullConfig;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TaskId;
@@ -258,8 +263,40 @@ class FlightHandlersTest {
         FlightHandlerHarness harness = harness(1);
         harness.activate(VerticalHandler.landing(harness.flights), Map.of(), "copter9");
 
-        assertThat(harness.answers).isEmpty();
+        assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY);
         assertThat(harness.messages).singleElement().asString().contains("it has not said yet where it is");
+    }
+
+    @Test
+    void vehicleThatDoesNotFlyAnswersThatItCannotLandOrReturn() {
+        FlightHandlerHarness harness = new FlightHandlerHarness(1, HullConfig.DEFAULT);
+        harness.pass(2);
+        harness.activate(VerticalHandler.landing(harness.flights), Map.of(), "boat1");
+        harness.activate(new ReturnHomeHandler(harness.flights), Map.of(), "boat1");
+
+        assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY, UavEvents.CANNOT_FLY);
+        assertThat(harness.answers.get(1).values()).containsEntry("reason", new TextValue("boat1 does not fly"));
+    }
+
+    @Test
+    void aircraftThatSinkBesideOneAnotherDoNotWaitForOneAnother() {
+        FlightHandlerHarness harness = harness(2);
+        takeOff(harness, "copter1", "copter2");
+        harness.pass(30);
+        TakenWaypoints taken = new TakenWaypoints();
+        List<String> told = new ArrayList<>();
+        harness.activate(new ReturnHomeHandler(harness.flights), Map.of(), "copter2");
+        harness.pass(30);
+        harness.activate(new ReturnHomeHandler(harness.flights), Map.of(), "copter1");
+        for (int i = 0; i < 40; i++) {
+            harness.pass(1);
+            taken.look(List.of(harness.proxy("copter1"), harness.proxy("copter2")))
+                    .forEach(one -> told.add(one.words()));
+        }
+
+        assertThat(harness.answered()).containsOnly(UavEvents.AIRBORNE, UavEvents.LANDED);
+        assertThat(harness.answers).hasSize(4);
+        assertThat(told).isEmpty();
     }
 
     @Test
@@ -310,6 +347,59 @@ class FlightHandlersTest {
         assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY);
     }
 
+    private static TaskDivision division(FlightHandlerHarness harness) {
+        return new TaskDivision(
+                harness.flights, message -> harness.messages.add(message.text()), Runnable::run);
+    }
+
+    private static List<Value> allocatedTo(FlightHandlerHarness harness) {
+        Value first = ((ListValue)
+                        Objects.requireNonNull(harness.answers.get(0).values().get("allocations")))
+                .items()
+                .get(0);
+        return List.copyOf(((MapValue) ((RecordValue) first).field("tasks").orElseThrow())
+                .entries()
+                .values());
+    }
+
+    private static void divideOneTask(FlightHandlerHarness harness, TaskDivision division) {
+        TaskId task = new TaskId(1, "Search 1");
+        harness.tasks.put(
+                task, Map.of("location", harness.flights.position("copter1").orElseThrow()));
+        harness.activate(division, Map.of(), List.<Token>of(new Token.Task(task)));
+    }
+
+    private static void charge(FlightHandlerHarness harness, String copter, double percent) {
+        harness.fleet.boat(copter).orElseThrow().hull().setBatteryPercent(percent);
+        harness.pass(5);
+    }
+
+    @Test
+    void aircraftWhoseBatteryIsLowGetsNoTask() {
+        FlightHandlerHarness harness = harness(2);
+        charge(harness, "copter1", 20);
+        divideOneTask(harness, division(harness));
+
+        assertThat(allocatedTo(harness)).containsExactly(new ProxyValue("copter2"));
+    }
+
+    @Test
+    void tasksWaitForABatteryWhereAllAreLowAndTheOperatorIsTold() {
+        FlightHandlerHarness harness = harness(1);
+        charge(harness, "copter1", 20);
+        TaskDivision division = division(harness);
+        harness.listen(division);
+        divideOneTask(harness, division);
+        harness.pass(10);
+
+        assertThat(harness.answers).isEmpty();
+        assertThat(harness.messages)
+                .containsExactly("All batteries are low: the tasks are allocated once one is charged");
+
+        charge(harness, "copter1", 100);
+        assertThat(allocatedTo(harness)).containsExactly(new ProxyValue("copter1"));
+    }
+
     @Test
     void divisionWithTheShorterLongestWayIsFirstWithItsFieldsAsDeclared() {
         FlightHandlerHarness harness = harness(1);
@@ -319,7 +409,7 @@ class FlightHandlersTest {
             harness.tasks.put(task, Map.of("location", Geodesy.offset(here, 0, northM)));
         }
         harness.activate(
-                new TaskDivision(harness.flights),
+                division(harness),
                 Map.of(),
                 List.of(-15, 10, 30).stream()
                         .<Token>map(northM -> new Token.Task(new TaskId(1, "Search " + northM)))

@@ -96,6 +96,16 @@ class FollowHandlerTest {
     }
 
     @Test
+    void aircraftThatIsFollowedIsLeftOutAndTheOperatorIsTold() {
+        begin(2);
+        follow(Map.of(), "copter1", "copter2");
+
+        assertThat(harness.proxy("copter1").commands().current()).isEmpty();
+        assertThat(harness.proxy("copter2").commands().current()).isPresent();
+        assertThat(harness.messages).containsExactly("copter1 is the one that is followed, and follows nobody");
+    }
+
+    @Test
     void refusedFollowIsSaidOnce() {
         begin(2);
         follow(Map.of("altitude", new RealValue(200)), "copter2");

@@ -7,12 +7,14 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.output.ExitCode;
 import org.sami.crw.cli.output.FindingsText;
 import org.sami.crw.sim.run.settings.Parameters;
 import org.sami.crw.sim.run.settings.PlanInterrupts;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.json.Reading;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
 import org.sami.spn.vocabulary.Vocabulary;
@@ -29,7 +31,12 @@ import picocli.CommandLine.Spec;
         description = "Lists the plans of the library or of a file, with what can be set when they start and which"
                 + " interrupts can be pressed.",
         footerHeading = "%nExamples:%n",
-        footer = {"  crw plans", "  crw plans station-keep", "  crw plans my-project.json --json"})
+        footer = {
+            "  crw plans",
+            "  crw plans station-keep",
+            "  crw plans --domain uav",
+            "  crw plans my-project.json --json"
+        })
 public final class PlansCommand implements Callable<Integer> {
     private static final int WIDTH = 96;
     private static final String INDENT = "    ";
@@ -43,6 +50,9 @@ public final class PlansCommand implements Callable<Integer> {
             arity = "0..1",
             description = "Only this plan of the library, or the plans of this project's file or folder.")
     private @Nullable String name;
+
+    @CommandLine.Mixin
+    private DomainOption domain = new DomainOption();
 
     @Option(names = "--json", description = "Print one JSON object.")
     private boolean json;
@@ -60,7 +70,14 @@ public final class PlansCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        DomainLibrary library = PlanSource.library();
+        PrintWriter err = spec.commandLine().getErr();
+        Reading<DomainLibrary> reading = domain.read();
+        if (reading.hasErrors()) {
+            FindingsText.print(err, domain.name(), reading.findings());
+            err.flush();
+            return ExitCode.FINDINGS;
+        }
+        DomainLibrary library = reading.orThrow();
         List<Shown> plans;
         if (name == null) {
             plans = library.plans().stream()
@@ -70,7 +87,6 @@ public final class PlansCommand implements Callable<Integer> {
         } else {
             PlanSource source = PlanSource.find(name, library);
             if (source.project().isEmpty()) {
-                PrintWriter err = spec.commandLine().getErr();
                 FindingsText.print(err, name, source.findings());
                 err.flush();
                 return ExitCode.FINDINGS;
