@@ -28,7 +28,7 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.value.TaskId;
 
 /**
- * Flights to the locations of tasks. An aircraft with several flies to the next one when it has no flight and no search of a task any longer. For the
+ * Flights to the locations of tasks. An aircraft with several flies to the next one when it has no flight and no search of a task any longer, and its battery is not low. For the
  * fleet's thread; it passes the engine's steps on to it.
  */
 final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMoves {
@@ -109,6 +109,7 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
                 && proxy.get().commands().current().stream()
                         .anyMatch(command -> command.mission() == next.activation.mission());
         return flies
+                || !flights.isCharged(aircraft)
                 || arrived.containsKey(aircraft)
                 || next.context.query(view -> isKept(aircraft, next.activation.mission(), view));
     }
@@ -122,6 +123,9 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
 
     @Override
     public void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.StatusReported reported) {
+            start(reported.status().boatId()); // where it waited for a charged battery
+        }
         if (event instanceof FleetEvent.CommandCompleted done && waiting.containsKey(done.boat())) {
             Optional.ofNullable(flown.get(done.boat()))
                     .filter(flight -> flight.commandId().equals(done.command().commandId())) // others answer no task
