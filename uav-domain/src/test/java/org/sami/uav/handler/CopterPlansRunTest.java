@@ -37,13 +37,13 @@ class CopterPlansRunTest {
                         "All down"),
                 of(Run.of("search", 2), "Arrived", "All searched", "All are down"),
                 of(
-                        Run.of("search", 2).charged("34"),
+                        Run.of("search", 2).charged("37"),
                         "Battery low",
                         "Lost under way",
                         "Battery is charged",
                         "All searched",
                         "All are down"),
-                of(Run.of("path-approval", 2).charged("34"), "Battery low", "All are down"),
+                of(Run.of("path-approval", 2).charged("37"), "Battery low", "All are down"),
                 of(
                         Run.of("path-approval", 2)
                                 .answering("{\"event\": \"ApprovePaths\", \"nth\": 1, \"answer\": {\"yes\": false}}"),
@@ -76,7 +76,7 @@ class CopterPlansRunTest {
                         "Time is up",
                         "All are down"),
                 of(Run.of("follow", 2), "Airborne", "Time is up", "All are down"),
-                of(Run.of("follow", 2).charged("34"), "Battery low", "All are down"),
+                of(Run.of("follow", 2).charged("37"), "Battery low", "All are down"),
                 of(
                         Run.of("wind-watch", 1).with(Map.of("location", POST, "how-long.duration", "20s")),
                         "There",
