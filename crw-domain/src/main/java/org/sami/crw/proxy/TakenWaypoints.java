@@ -71,9 +71,10 @@ public final class TakenWaypoints {
     private static boolean isWaiting(BoatProxy boat, GeoPoint target) {
         return isAtHeight(boat, target)
                 && boat.traffic()
-                .sighting()
-                .filter(at -> at.mode() == BoatMode.PATH && isStill(at) && distanceM(at, target) < WAITS_WITHIN_M)
-                .isPresent();
+                        .sighting()
+                        .filter(at ->
+                                at.mode() == BoatMode.PATH && isStill(at) && distanceM(at, target) < WAITS_WITHIN_M)
+                        .isPresent();
     }
 
     private static Optional<String> whoLiesAt(GeoPoint target, BoatProxy boat, Collection<BoatProxy> boats) {

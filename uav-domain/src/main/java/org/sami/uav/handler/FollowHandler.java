@@ -125,7 +125,12 @@ final class FollowHandler implements ActivationHandler, Consumer<FleetEvent>, Ho
         }
         List<Addressee> all = Addressee.of(activation, context);
         if (all.stream().anyMatch(one -> one.boat().equals(leader.proxy()))) {
-            tell(activation, context, leader.proxy(), Priority.MEDIUM, "is the one that is followed, and follows nobody");
+            tell(
+                    activation,
+                    context,
+                    leader.proxy(),
+                    Priority.MEDIUM,
+                    "is the one that is followed, and follows nobody");
         }
         List<Follower> aircraft = all.stream()
                 .filter(one -> !one.boat().equals(leader.proxy()))

@@ -20,9 +20,8 @@ import org.sami.spn.value.TaskId;
 final class GiveBackTasksHandler implements ActivationHandler {
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        List<String> aircraft = Addressee.of(activation, context).stream()
-                .map(Addressee::boat)
-                .toList();
+        List<String> aircraft =
+                Addressee.of(activation, context).stream().map(Addressee::boat).toList();
         Map<TaskId, Optional<String>> toNobody = new LinkedHashMap<>();
         context.query(view -> view.allocation()).forEach((task, of) -> {
             if (task.mission() == activation.mission() && aircraft.contains(of)) {

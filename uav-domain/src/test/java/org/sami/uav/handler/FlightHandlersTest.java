@@ -13,9 +13,10 @@ import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.motion.PathProgress;
-import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.proxy.TakenWaypoints;
+import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.service.Geodesy;
+import org.sami.crw.sim.hull.HullConfig;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.GeoArea;
@@ -23,9 +24,8 @@ import org.sami.spn.value.GeoPath;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.ListValue;
-import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.MapValue;
-import org.sami.crw.sim.hull.HullConfig;
+import org.sami.spn.value.ProxyValue;
 import org.sami.spn.value.RealValue;
 import org.sami.spn.value.RecordValue;
 import org.sami.spn.value.TaskId;
@@ -348,8 +348,7 @@ class FlightHandlersTest {
     }
 
     private static TaskDivision division(FlightHandlerHarness harness) {
-        return new TaskDivision(
-                harness.flights, message -> harness.messages.add(message.text()), Runnable::run);
+        return new TaskDivision(harness.flights, message -> harness.messages.add(message.text()), Runnable::run);
     }
 
     private static List<Value> allocatedTo(FlightHandlerHarness harness) {
