@@ -53,7 +53,9 @@ class DreammCommandTest {
 
     @Test
     void domainsThatShipAreOpenedByTheNamesThatTheHelpSays() {
-        assertThat(run("--domain", "team", "scout-and-sample")).as(err.toString()).isZero();
+        assertThat(run("--domain", "team", "scout-and-sample"))
+                .as(err.toString())
+                .isZero();
 
         assertThat(opened.get(0).plan()).contains("scout-and-sample");
         String help = new CommandLine(new DreammCommand((options, first, data) -> {})).getUsageMessage();
