@@ -14,7 +14,7 @@ public final class AlarmLimits {
     /** A boat has to be out for this time, in ms, before it counts as drifting. */
     public static final long DRIFT_AFTER_MS = 20_000;
 
-    /** Boats that are about to come closer than this, in metres, raise an alarm. */
+    /** Boats that are about to come closer than this, in metres, raise an alarm; heights of robots that fly count. */
     public static final double APPROACH_M = 3;
 
     /** Looked-ahead time for {@link #APPROACH_M}, in seconds; boats themselves give way from 8 s on. */
