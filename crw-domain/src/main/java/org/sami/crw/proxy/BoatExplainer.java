@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.sami.boat.link.BoatMode;
+import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.Panorama;
 import org.sami.crw.proxy.command.Stop;
@@ -40,6 +41,9 @@ final class BoatExplainer {
 
     /** A boat that is faster is never said not to move, in m/s. */
     private static final double RESTS_MPS = 0.3;
+
+    /** Reported heights up to this, in m, are taken for the ground. */
+    private static final double GROUND_M = 0.5;
 
     private final String boatId;
     private final CommandDriver driver;
@@ -93,13 +97,12 @@ final class BoatExplainer {
             long blocker = driver.queue().blockedBy().get();
             return inItsPlace(Cause.BLOCKED, titles.words(blocker) + " keeps it where it is" + counted());
         }
-        LastCommandOutcome last = driver.lastWord();
-        String became = last.text(titles).map(text -> "; " + text).orElse("");
-        String nobody = "no mission wants anything of it" + became;
+        Cause last = driver.lastWord().cause();
+        String nobody = (isAirborne() ? "no mission has a command for it now" : "no mission wants anything of it")
+                + became().map(text -> "; " + text).orElse("");
         return isReturning()
-                ? new BoatExplanation(
-                        false, last.cause(), boatId + " returns to its home, as its link was lost: " + nobody)
-                : inItsPlace(last.cause(), nobody);
+                ? new BoatExplanation(false, last, boatId + " returns to its home, as its link was lost: " + nobody)
+                : inItsPlace(last, nobody);
     }
 
     /** A boat that keeps its place drives aside for another one, and back, by itself (docs/services.md): then it is not said to stand. */
@@ -188,11 +191,28 @@ final class BoatExplainer {
 
     /** Nobody wants anything of it; what it last did says why it holds its place. */
     private BoatExplanation holding(CommandRun run) {
-        String became = driver.lastWord().text(titles).map(text -> ": " + text).orElse("");
+        String became = became().map(text -> ": " + text).orElse("");
         return new BoatExplanation(
                 run.isDriving(),
                 run.isDriving() ? Cause.UNDER_WAY : causeOf(run),
                 boatId + " holds its place until it gets a command or is stopped" + became);
+    }
+
+    /** What became of its last command. A path of a robot that flies may have led to the ground on which it stood. */
+    private Optional<String> became() {
+        LastCommandOutcome last = driver.lastWord();
+        Optional<BoatCommand> landed = last.command()
+                .filter(command -> condition.flies && last.cause() == Cause.ARRIVED && endsOnGround(command));
+        return landed.isEmpty()
+                ? last.text(titles)
+                : Optional.of(
+                        "it is on the ground, as " + titles.words(landed.get().mission()) + " wants it to be");
+    }
+
+    private static boolean endsOnGround(BoatCommand command) {
+        return command.mission() != Ids.NONE
+                && command instanceof FollowPath path
+                && path.points().get(path.points().size() - 1).altM() == 0;
     }
 
     private static Cause causeOf(CommandRun run) {
@@ -251,7 +271,16 @@ final class BoatExplainer {
                 .map(BoatPose::speedMps)
                 .filter(mps -> condition.status.link() == LinkState.LINKED && mps > RESTS_MPS)
                 .map(mps -> String.format(Locale.ROOT, "moves at %.1f m/s", mps))
-                .orElse("does not move");
+                .orElseGet(() ->
+                        isAirborne() ? String.format(Locale.ROOT, "hovers %.0f m high", altM()) : "does not move");
+    }
+
+    private boolean isAirborne() {
+        return condition.flies && altM() > GROUND_M;
+    }
+
+    private double altM() {
+        return condition.status.pose().map(pose -> pose.position().altM()).orElse(0.0);
     }
 
     private BoatExplanation still(Cause cause, String why) {

@@ -114,6 +114,35 @@ class ExplainTest {
     }
 
     @Test
+    void copterInTheAirHoversUntilAMissionHasACommandForIt() {
+        boat.says(new Welcome("boat1", "b1", Role.COMMANDER, ""));
+        boat.says(new Progress("", 0, false));
+        boat.says(at(30.2));
+
+        assertThat(boat.proxy.explain().text())
+                .isEqualTo("boat1 hovers 30 m high: no mission has a command for it now");
+    }
+
+    @Test
+    void copterThatWasToLandAndNeverTookOffIsNotSaidToHaveArrivedAnywhere() {
+        boat.says(new Welcome("boat1", "b1", Role.COMMANDER, ""));
+        boat.says(new Progress("", 0, false));
+        boat.says(at(0));
+        boat.proxy.commands().submit(FollowPath.of("c", 1, 1, List.of(HERE), Priority.MEDIUM));
+        boat.setsOut();
+        boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 1, true));
+        boat.says(at(0));
+
+        assertThat(boat.proxy.explain().text())
+                .contains("boat1 ", "it is on the ground, as mission 1 wants it to be")
+                .doesNotContain("arrived");
+    }
+
+    private static Telemetry at(double altM) {
+        return new Telemetry(45, 10, 0, 0, 90, BoatMode.HOLD, 1, OptionalDouble.of(altM));
+    }
+
+    @Test
     void boatThatSomebodyElseDrivesIsNotSaidToStand() {
         boat.says(new Welcome("boat1", "b1", Role.OBSERVER, ""));
         boat.says(new Telemetry(45, 10, 0, 6.6, 90, BoatMode.TELEOPERATION, 1));
