@@ -26,4 +26,9 @@ public record BoatResult(
         Objects.requireNonNull(link, "link");
         track = List.copyOf(track);
     }
+
+    /** Whether it was ever off the ground. */
+    public boolean flew() {
+        return track.stream().anyMatch(point -> point.altM() != 0);
+    }
 }

@@ -16,10 +16,13 @@ import java.util.Map;
 public record ReadingSummary(
         String sensor, String channel, String unit, int count, double least, double mean, double most) {
 
-    /** The channels in the order in which they were first heard of. */
+    /** The channels in the order in which they were first heard of, without {@linkplain TargetSummary targets}. */
     public static List<ReadingSummary> of(List<ReadingResult> readings) {
         Map<List<String>, List<ReadingResult>> channels = new LinkedHashMap<>();
         for (ReadingResult reading : readings) {
+            if (TargetSummary.isTarget(reading)) {
+                continue;
+            }
             channels.computeIfAbsent(
                             List.of(reading.sensor(), reading.channel(), reading.unit()), key -> new ArrayList<>())
                     .add(reading);

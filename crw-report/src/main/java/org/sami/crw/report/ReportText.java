@@ -15,6 +15,7 @@ public final class ReportText {
     private static final int MOST_PAIRS = 5;
     private static final int NOTES_SHOWN = 10;
     private static final int TASKS_SHOWN = 8;
+    private static final int TARGETS_SHOWN = 10;
     private static final String DISCARDED = "discarded";
 
     private ReportText() {}
@@ -28,6 +29,7 @@ public final class ReportText {
         interrupts(text, report);
         tasks(text, report);
         readings(text, report);
+        targets(text, report);
         report.parts().forEach(part -> part.lines().forEach(line -> line(text, line)));
         notes(text, report);
         return text.toString();
@@ -247,12 +249,13 @@ public final class ReportText {
     }
 
     private static void readings(StringBuilder text, RunReport report) {
-        if (report.readings().isEmpty()) {
+        List<ReadingSummary> channels = ReadingSummary.of(report.readings());
+        if (channels.isEmpty()) {
             return;
         }
         line(text, "");
         line(text, "  %-20s%10s%12s%12s%12s   %s", "readings", "count", "least", "mean", "most", "unit");
-        for (ReadingSummary channel : ReadingSummary.of(report.readings())) {
+        for (ReadingSummary channel : channels) {
             line(
                     text,
                     "  %-20s%10d%12.2f%12.2f%12.2f   %s",
@@ -262,6 +265,28 @@ public final class ReportText {
                     channel.mean(),
                     channel.most(),
                     channel.unit());
+        }
+    }
+
+    private static void targets(StringBuilder text, RunReport report) {
+        List<TargetSummary> targets = TargetSummary.of(report.readings());
+        if (targets.isEmpty()) {
+            return;
+        }
+        line(text, "");
+        line(text, "  %-10s%10s%12s   %-25sby", "targets", "reported", "first at", "place");
+        targets.stream()
+                .limit(TARGETS_SHOWN)
+                .forEach(target -> line(
+                        text,
+                        "  %-10d%10d%10.1f s   %-25s%s",
+                        target.number(),
+                        target.count(),
+                        target.firstAtMillis() / 1000.0,
+                        String.format(Locale.ROOT, "%.7f,%.7f", target.latDeg(), target.lonDeg()),
+                        String.join(", ", target.boats())));
+        if (targets.size() > TARGETS_SHOWN) {
+            line(text, "  and %d more (report.json)", targets.size() - TARGETS_SHOWN);
         }
     }
 

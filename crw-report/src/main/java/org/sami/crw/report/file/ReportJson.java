@@ -17,6 +17,7 @@ import org.sami.crw.report.RunHeader;
 import org.sami.crw.report.RunOrigin;
 import org.sami.crw.report.RunReport;
 import org.sami.crw.report.RunResult;
+import org.sami.crw.report.TargetSummary;
 import org.sami.crw.report.file.ReportRows.Boat;
 import org.sami.crw.report.file.ReportRows.Channel;
 import org.sami.crw.report.file.ReportRows.Explored;
@@ -26,6 +27,7 @@ import org.sami.crw.report.file.ReportRows.Near;
 import org.sami.crw.report.file.ReportRows.Note;
 import org.sami.crw.report.file.ReportRows.Position;
 import org.sami.crw.report.file.ReportRows.Question;
+import org.sami.crw.report.file.ReportRows.Target;
 import org.sami.crw.report.file.ReportRows.Task;
 
 /** The report as one JSON object. Its members are described in docs/command-line.md; programs rely on them. */
@@ -82,6 +84,10 @@ public final class ReportJson {
         set(json, "notes", rows(report.notes(), Note::of));
         report.parts().forEach(part -> set(json, part.name(), part.json()));
         set(json, "readings", rows(ReadingSummary.of(report.readings()), Channel::of));
+        List<TargetSummary> targets = TargetSummary.of(report.readings());
+        if (!targets.isEmpty()) {
+            set(json, "targets", rows(targets, Target::of));
+        }
         if (result.resumedFrom().isPresent()) {
             json.put("resumedFrom", result.resumedFrom().getAsLong());
         } else {

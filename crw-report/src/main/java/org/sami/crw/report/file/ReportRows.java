@@ -19,7 +19,9 @@ import org.sami.crw.report.LocationResult.Visit;
 import org.sami.crw.report.MapPoint;
 import org.sami.crw.report.NoteResult;
 import org.sami.crw.report.ReadingSummary;
+import org.sami.crw.report.TargetSummary;
 import org.sami.crw.report.TaskResult;
+import org.sami.crw.report.TrackPoint;
 
 /** The objects in the report's JSON, a record for each kind: its components are the members, in their order. Times are in seconds. */
 final class ReportRows {
@@ -66,6 +68,7 @@ final class ReportRows {
         }
     }
 
+    @JsonInclude(JsonInclude.Include.NON_NULL)
     record Boat(
             String id,
             String link,
@@ -76,9 +79,12 @@ final class ReportRows {
             BigDecimal distanceM,
             BigDecimal batteryPercent,
             int recharges,
+            @Nullable BigDecimal altM,
+            @Nullable BigDecimal highestAltM,
             String why) {
         static Boat of(BoatResult boat) {
             LinkResult link = boat.link();
+            Optional<BoatResult> flew = Optional.of(boat).filter(BoatResult::flew);
             return new Boat(
                     boat.id(),
                     link.words(),
@@ -89,8 +95,16 @@ final class ReportRows {
                     decimal(boat.distanceM(), 2),
                     decimal(boat.batteryPercent(), 2),
                     boat.recharges(),
+                    flew.map(one -> decimal(
+                                    one.track().get(one.track().size() - 1).altM(), 2))
+                            .orElse(null),
+                    flew.map(one -> decimal(highestM(one), 2)).orElse(null),
                     link.why());
         }
+    }
+
+    private static double highestM(BoatResult boat) {
+        return boat.track().stream().mapToDouble(TrackPoint::altM).max().orElse(0);
     }
 
     @JsonInclude(JsonInclude.Include.NON_NULL)
@@ -208,6 +222,18 @@ final class ReportRows {
                     decimal(summary.least(), 6),
                     decimal(summary.mean(), 6),
                     decimal(summary.most(), 6));
+        }
+    }
+
+    record Target(int number, BigDecimal latDeg, BigDecimal lonDeg, int count, BigDecimal firstAt, List<String> boats) {
+        static Target of(TargetSummary target) {
+            return new Target(
+                    target.number(),
+                    degrees(target.latDeg()),
+                    degrees(target.lonDeg()),
+                    target.count(),
+                    seconds(target.firstAtMillis()),
+                    target.boats());
         }
     }
 
