@@ -77,6 +77,10 @@ final class GeoJsonFile {
             line.add(position(p.latDeg(), p.lonDeg()));
             seconds.add(BigDecimal.valueOf(p.atMillis(), 3));
         });
+        if (boat.flew()) { // a third coordinate would be a height above the ellipsoid
+            ArrayNode heights = properties.putArray("altM");
+            boat.track().forEach(p -> heights.add(BigDecimal.valueOf(Math.round(p.altM() * 100), 2)));
+        }
         report.origin().ifPresent(origin -> {
             ArrayNode times = properties.putArray("times");
             boat.track().forEach(p -> times.add(origin.at(p.atMillis()).toString()));

@@ -11,7 +11,7 @@ import org.sami.crw.report.TrackPoint;
 /**
  * A run as GPX 1.1: a track for each boat, way points for locations, quay and points of the plan, a closed route for each area (the
  * format has no areas). Positions are WGS 84 in degrees; times are UTC, the start of the run plus its time, and missing where nobody
- * wrote down when it began.
+ * wrote down when it began. Tracks of robots that flew have elevations: metres above the place of the take-off, not above the sea.
  */
 final class GpxFile {
     private static final String NAMESPACE = "http://www.topografix.com/GPX/1/1";
@@ -72,14 +72,22 @@ final class GpxFile {
 
     private void track(BoatResult boat) {
         xml.open("trk").leaf("name", boat.id()).leaf("desc", MapNames.of(boat)).open("trkseg");
+        boolean flew = boat.flew();
         for (TrackPoint at : boat.track()) {
             point("trkpt", at.latDeg(), at.lonDeg());
+            if (flew) {
+                xml.leaf("ele", metres(at.altM()));
+            }
             report.origin()
                     .ifPresent(
                             origin -> xml.leaf("time", origin.at(at.atMillis()).toString()));
             xml.close();
         }
         xml.close().close();
+    }
+
+    private static String metres(double metres) {
+        return CsvTable.fixed(metres, 2);
     }
 
     private XmlText point(String element, double latDeg, double lonDeg) {

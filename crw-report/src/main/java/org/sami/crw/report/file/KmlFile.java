@@ -19,12 +19,14 @@ import org.sami.crw.report.picture.MapColors;
 
 /**
  * A run as KML 2.2, with Google's extension for tracks with times: boats, locations, areas and points in folders. Positions are
- * WGS 84 in degrees, at the height of the water; times are UTC, the start of the run plus its time. Where nobody wrote down when it
- * began, tracks are lines without times.
+ * WGS 84 in degrees, at the height of the water or the ground; tracks of robots that flew are so high above it as the robots were above
+ * the place of their take-off. Times are UTC, the start of the run plus its time. Where nobody wrote down when it began, tracks are lines without times.
  */
 final class KmlFile {
     private static final String NAMESPACE = "http://www.opengis.net/kml/2.2";
     private static final String EXTENSION = "http://www.google.com/kml/ext/2.2";
+
+    private static final String OVER_GROUND = "relativeToGround"; // KML has no height above a take-off
 
     private final RunReport report;
     private final XmlText xml = new XmlText("kml", NAMESPACE);
@@ -80,25 +82,40 @@ final class KmlFile {
             BoatResult boat = report.boats().get(i);
             placemark(boat.id(), MapNames.of(boat), Optional.of("boat" + i));
             if (report.origin().isPresent()) {
-                timedTrack(boat.track(), report.origin().get());
+                timedTrack(boat, report.origin().get());
             } else {
-                xml.open("LineString")
-                        .leaf("tessellate", "1")
-                        .leaf(
-                                "coordinates",
-                                coordinates(boat.track().stream().map(p -> degrees(p.latDeg(), p.lonDeg(), ","))))
-                        .close();
+                line(boat);
             }
             xml.close();
         }
     }
 
     /** First all times, then all positions, as the extension wants them. */
-    private void timedTrack(List<TrackPoint> track, RunOrigin origin) {
+    private void timedTrack(BoatResult boat, RunOrigin origin) {
+        boolean flew = boat.flew();
         xml.open("gx:Track");
-        track.forEach(point -> xml.leaf("when", origin.at(point.atMillis()).toString()));
-        track.forEach(point -> xml.leaf("gx:coord", degrees(point.latDeg(), point.lonDeg(), " ") + " 0"));
+        if (flew) {
+            xml.leaf("altitudeMode", OVER_GROUND);
+        }
+        boat.track()
+                .forEach(point -> xml.leaf("when", origin.at(point.atMillis()).toString()));
+        boat.track().forEach(point -> xml.leaf("gx:coord", position(point, flew, " ", " 0")));
         xml.close();
+    }
+
+    private void line(BoatResult boat) {
+        boolean flew = boat.flew();
+        xml.open("LineString").leaf("tessellate", "1");
+        if (flew) {
+            xml.leaf("altitudeMode", OVER_GROUND);
+        }
+        xml.leaf("coordinates", coordinates(boat.track().stream().map(point -> position(point, flew, ",", ""))));
+        xml.close();
+    }
+
+    private static String position(TrackPoint point, boolean flew, String between, String onGround) {
+        return degrees(point.latDeg(), point.lonDeg(), between)
+                + (flew ? between + CsvTable.fixed(point.altM(), 2) : onGround);
     }
 
     private void locations() {

@@ -3,6 +3,8 @@ package org.sami.crw.report.file;
 import static org.sami.crw.report.file.CsvTable.fixed;
 import static org.sami.crw.report.file.CsvTable.seconds;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.sami.crw.report.Approach;
 import org.sami.crw.report.BoatResult;
 import org.sami.crw.report.DecisionResult;
@@ -108,12 +110,18 @@ final class ReportTables {
         return table;
     }
 
+    /** Where each boat was. Heights are the last column, where one flew: files of boats alone are as they always were. */
     static CsvTable tracks(RunReport report) {
-        CsvTable table =
-                new CsvTable("boat", "at_s", "lat_deg", "lon_deg", "east_m", "north_m", "speed_mps", "battery_percent");
+        boolean heights = report.boats().stream().anyMatch(BoatResult::flew);
+        List<String> columns = new ArrayList<>(
+                List.of("boat", "at_s", "lat_deg", "lon_deg", "east_m", "north_m", "speed_mps", "battery_percent"));
+        if (heights) {
+            columns.add("alt_m");
+        }
+        CsvTable table = new CsvTable(columns.toArray(String[]::new));
         for (BoatResult boat : report.boats()) {
             for (TrackPoint point : boat.track()) {
-                table.row(
+                List<Object> cells = new ArrayList<>(List.of(
                         boat.id(),
                         seconds(point.atMillis()),
                         fixed(point.latDeg(), 7),
@@ -121,7 +129,11 @@ final class ReportTables {
                         fixed(point.eastM(), 3),
                         fixed(point.northM(), 3),
                         fixed(point.speedMps(), 2),
-                        fixed(point.batteryPercent(), 2));
+                        fixed(point.batteryPercent(), 2)));
+                if (heights) {
+                    cells.add(fixed(point.altM(), 2));
+                }
+                table.row(cells.toArray());
             }
         }
         return table;

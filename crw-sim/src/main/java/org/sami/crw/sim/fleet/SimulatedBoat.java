@@ -152,10 +152,10 @@ public final class SimulatedBoat {
         toBase.setCut(!isInRange);
     }
 
-    /** Where the boat truly is. */
+    /** Where the boat truly is; of one that flies with its height above the place of its take-off. */
     public GeoPoint position() {
         awaitTick.run();
-        return GeoPoint.of(hull.latDeg(), hull.lonDeg());
+        return new GeoPoint(hull.latDeg(), hull.lonDeg(), hull.altM().orElse(0));
     }
 
     /** Metres driven. */
