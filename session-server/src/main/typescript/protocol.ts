@@ -29,6 +29,7 @@ export interface Row {
 
 export interface BoatRow extends Row {
   lat?: number;
+  alt?: number;
   lon?: number;
   /** In degrees, clockwise from true north. */
   heading?: number;

@@ -112,24 +112,7 @@ final class BoatCommands {
             out.accept("there is no boat; connect one with: connect HOST:PORT");
         }
         for (BoatSnapshot boat : boats) {
-            StringBuilder line = new StringBuilder(boat.boat()).append("  link ");
-            line.append(boat.link().name().toLowerCase(Locale.ROOT));
-            boat.linkAgeMillis(now).ifPresent(age -> line.append(' ').append(Age.words(age)));
-            boat.battery()
-                    .ifPresent(battery -> line.append("  ")
-                            .append(Math.round(battery.percent()))
-                            .append(" %"));
-            boat.pose()
-                    .ifPresent(pose -> line.append(String.format(
-                            Locale.ROOT,
-                            "  %s  %.5f,%.5f",
-                            boat.speedWords(),
-                            pose.position().latDeg(),
-                            pose.position().lonDeg())));
-            if (boat.points() > 0) {
-                line.append("  ").append(boat.visited()).append('/').append(boat.points());
-            }
-            out.accept(line.append("  ").append(boat.why().text()).toString());
+            out.accept(line(boat, now));
         }
         FleetCount count = FleetCount.of(known, unreached);
         if (count.linked() < count.all()) {
@@ -139,6 +122,27 @@ final class BoatCommands {
         if (stop.isLatched()) {
             out.accept(stop.words());
         }
+    }
+
+    /** How one is and what it does; of one that flies also how high it is above the place of its take-off. */
+    static String line(BoatSnapshot boat, long nowMillis) {
+        StringBuilder line = new StringBuilder(boat.boat()).append("  link ");
+        line.append(boat.link().name().toLowerCase(Locale.ROOT));
+        boat.linkAgeMillis(nowMillis).ifPresent(age -> line.append(' ').append(Age.words(age)));
+        boat.battery()
+                .ifPresent(battery ->
+                        line.append("  ").append(Math.round(battery.percent())).append(" %"));
+        boat.pose().ifPresent(pose -> {
+            GeoPoint at = pose.position();
+            line.append(String.format(Locale.ROOT, "  %s  %.5f,%.5f", boat.speedWords(), at.latDeg(), at.lonDeg()));
+            if (boat.flies()) {
+                line.append("  ").append(Math.round(at.altM())).append(" m high");
+            }
+        });
+        if (boat.points() > 0) {
+            line.append("  ").append(boat.visited()).append('/').append(boat.points());
+        }
+        return line.append("  ").append(boat.why().text()).toString();
     }
 
     private void connect(Arguments arguments, Consumer<String> out) {

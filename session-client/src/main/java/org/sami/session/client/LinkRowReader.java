@@ -42,7 +42,10 @@ final class LinkRowReader {
         }
         Optional<BoatPose> pose = row.has("lat")
                 ? Optional.of(new BoatPose(
-                        GeoPoint.of(row.path("lat").asDouble(), row.path("lon").asDouble()),
+                        new GeoPoint(
+                                row.path("lat").asDouble(),
+                                row.path("lon").asDouble(),
+                                row.path("alt").asDouble()),
                         Math.toRadians(row.path("heading").asDouble()),
                         row.path("speed").asDouble(),
                         row.path("at").asLong()))

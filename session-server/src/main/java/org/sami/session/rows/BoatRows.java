@@ -67,6 +67,9 @@ final class BoatRows {
         boat.pose().ifPresent(pose -> {
             row.put("lat", Shapes.rounded(pose.position().latDeg()));
             row.put("lon", Shapes.rounded(pose.position().lonDeg()));
+            if (boat.flies()) {
+                row.put("alt", Math.round(pose.position().altM() * TENTHS) / TENTHS);
+            }
             row.put("heading", Math.round(Math.toDegrees(pose.headingRad()) * TENTHS) / TENTHS);
             row.put("at", boat.poseAtMillis() / STEP_MS * STEP_MS);
         });
