@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.sami.crw.report.FiringResult;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
+import org.sami.crw.report.TrackPoint;
 import org.sami.crw.sim.hull.NamedConditions;
 import org.sami.spn.analysis.PlanChecks;
 import org.sami.spn.testcase.TestCaseRunner;
@@ -96,6 +97,26 @@ class CopterPlansRunTest {
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
         assertThat(report.firings().stream().map(FiringResult::transition)).containsAll(fires);
         assertThat(report.boats()).allMatch(copter -> copter.batteryPercent() > 0);
+    }
+
+    @Test
+    void trueTracksHaveTheHeightsAtWhichCoptersFlyInLayers() {
+        RunReport report = Run.of("wind-watch", 3)
+                .with(Map.of("location", POST, "how-long.duration", "20s"))
+                .report();
+
+        List<Double> highestM = report.boats().stream()
+                .map(boat -> boat.track().stream()
+                        .mapToDouble(TrackPoint::altM)
+                        .max()
+                        .orElse(0))
+                .sorted()
+                .toList();
+        assertThat(highestM.get(0)).isGreaterThan(10);
+        assertThat(highestM.get(1) - highestM.get(0)).isBetween(3.0, 5.0);
+        assertThat(highestM.get(2) - highestM.get(1)).isBetween(3.0, 5.0);
+        assertThat(report.map().closest().ever())
+                .hasValueSatisfying(near -> assertThat(near.distanceM()).isGreaterThan(2));
     }
 
     @Test
