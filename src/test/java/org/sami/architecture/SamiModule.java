@@ -185,13 +185,13 @@ enum SamiModule {
                     SPN_CORE,
                     SPN_LANGUAGE)),
     /** Vehicles of other makers: links, what they report, what they hold. No boats of ours, no plans. */
-    MAVLINK("mavlink", 145, List.of("org.sami.mavlink.."), List.of()),
+    MAVLINK("mavlink", 160, List.of("org.sami.mavlink.."), List.of()),
     /** Our boats in ground stations of other makers: a client of the boat's server that speaks MAVLink for it. */
     BOAT_MAVLINK("boat-mavlink", 24, List.of("org.sami.boat.mavlink.."), List.of(MAVLINK, BOAT_SERVER, BOAT_LINK)),
     /** Vehicles of other makers as boats of a base: speaks the boat link for them. */
     CRW_MAVLINK(
             "crw-mavlink",
-            54,
+            62,
             List.of("org.sami.crw.mavlink.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, MAVLINK, BOAT_SERVER, BOAT_LINK, SPN_LANGUAGE)),
     /** The command crw. */

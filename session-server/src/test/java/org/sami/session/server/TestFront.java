@@ -24,9 +24,12 @@ final class TestFront implements WebSocket.Listener {
 
     TestFront(HttpClient client, String url) {
         URI at = URI.create(url.replaceFirst("^http", "ws") + "session");
-        socket = client.newWebSocketBuilder().buildAsync(at, this).join();
-        Reference.reachabilityFence(
-                client); // one that is collected before its connection is open leaves that unanswered
+        try {
+            socket = client.newWebSocketBuilder().buildAsync(at, this).join();
+        } finally {
+            // one that is collected before its connection is open leaves that unanswered
+            Reference.reachabilityFence(client);
+        }
     }
 
     TestFront(SessionServer server) {
