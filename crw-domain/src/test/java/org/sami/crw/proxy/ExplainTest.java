@@ -24,6 +24,7 @@ import org.sami.boat.link.TakePanorama;
 import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Welcome;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.KeepStation;
 import org.sami.crw.proxy.command.Panorama;
@@ -196,6 +197,9 @@ class ExplainTest {
         assertWhy(Cause.STOPPING, "being stopped");
         boat.acknowledges(StopMotors.class);
         assertWhy(Cause.WITHDRAWN, "; following its path for mission 1 was withdrawn");
+        boat.proxy.servesPlansOf(RobotKind.COPTER);
+        assertWhy(Cause.OTHER_KIND, "is a boat, and this session flies copters");
+        boat.proxy.servesPlansOf(RobotKind.ROBOT);
         boat.proxy.commands().submit(path("d", 1, Priority.MEDIUM));
         boat.setsOut();
         boat.says(new Progress(boat.last(UploadWaypoints.class).listId(), 2, true));

@@ -59,7 +59,7 @@ class DreammCommandTest {
 
         assertThat(opened.get(0).plan()).contains("scout-and-sample");
         String help = new CommandLine(new DreammCommand((options, first, data) -> {})).getUsageMessage();
-        assertThat(help).contains("--domain=NAME|FOLDER").contains("uav or team, which ship");
+        assertThat(help).contains("--domain=NAME|FOLDER").containsPattern("uav or team,\\s+which ship");
     }
 
     @Test

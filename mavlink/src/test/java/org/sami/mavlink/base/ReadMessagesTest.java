@@ -25,6 +25,7 @@ class ReadMessagesTest {
         for (String part : List.of("base", "vehicle", "command", "mission", "param")) {
             lookedAt.addAll(lookedAt(SOURCES.resolve(part)));
         }
+        lookedAt.remove("CommandLong"); // the base's own is looked at before it is sent
 
         assertThat(ReadMessages.KINDS.stream().map(Class::getSimpleName).collect(Collectors.toSet()))
                 .isEqualTo(lookedAt);
