@@ -252,7 +252,7 @@ class CheckCommandTest {
                         .replace(
                                 "\"options\", \"type\": \"list<Allocation>\"",
                                 "\"options\", \"type\": \"list<Alocation>\"")
-                        .replace("\"answers\": [\"Landed\"]", "\"answers\": [\"Landet\"]"));
+                        .replace("\"answers\": [\"Landed\"", "\"answers\": [\"Landet\""));
         CommandResult bad = CommandResult.crw("check", "--domain", folder.toString());
 
         assertThat(good.exitCode()).as(good.out()).isZero();
@@ -268,7 +268,7 @@ class CheckCommandTest {
         copyDomain();
         Path events = folder.resolve("events.json");
         Files.writeString(
-                events, Files.readString(events).replace("\"answers\": [\"Landed\"]", "\"answers\": [\"Landet\"]"));
+                events, Files.readString(events).replace("\"answers\": [\"Landed\"", "\"answers\": [\"Landet\""));
 
         CommandResult ran = CommandResult.crw("check", "--domain", folder.toString());
 

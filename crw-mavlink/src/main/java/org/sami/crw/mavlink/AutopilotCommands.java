@@ -158,6 +158,7 @@ final class AutopilotCommands {
     /** Another vehicle has its id now: nothing that it was ordered goes on. */
     void replaced() {
         motion.release();
+        paths.replaced();
         giveUpDelayed();
     }
 

@@ -148,7 +148,7 @@ final class CopterMotion extends VehicleMotion {
         setsOffBy(order);
         if (isAirborne(vehicle())) {
             leg.climb()
-                    .filter(climb -> isLower(climb.leastM()))
+                    .filter(climb -> leg.item().isPresent() && isLower(climb.leastM())) // else it flies there already
                     .ifPresentOrElse(climb -> climbOn(order, climb), () -> flyAlong(order, leg));
         } else if (leg.takeOff().isPresent()) {
             takeOff(order, leg.takeOff().get(), leg);
@@ -268,13 +268,25 @@ final class CopterMotion extends VehicleMotion {
         VehiclePilot.Order order = pilot.change(
                 why -> why.filter(words -> !words.equals(VehiclePilot.VOID)).ifPresent(this::stays));
         setsOffBy(order);
-        flyAlong(order, ended.then().get());
+        Leg leg = ended.then().get();
+        Runnable next = () -> flyUnlessTaken(order, leg);
+        leg.item().ifPresentOrElse(item -> goTo(order, item, leg, next), next);
+    }
+
+    /** Whoever has changed its mode since it was up keeps it: a pilot, or its own failsafe. */
+    private void flyUnlessTaken(VehiclePilot.Order order, Leg leg) {
+        if (vehicle().mode().equals(GUIDED)) {
+            fly(order, leg);
+        } else {
+            order.failAsItIs("it is in mode " + vehicle().mode());
+        }
     }
 
     private void stays(String why) {
         forgetNext();
         alarm.accept("vehicle " + id + " has taken off, and does not go on along its path: " + why);
-        if (isHeard()) {
+        boolean isOurs = vehicle().mode().equals(GUIDED) || vehicle().mode().equals(AUTO);
+        if (isHeard() && isOurs) {
             stop(ended -> {});
         }
     }

@@ -120,6 +120,14 @@ final class MissionStore {
         tooMany = Integer.MAX_VALUE;
     }
 
+    /** Nothing more is sent, and nobody is told of what was to come. */
+    void giveUp() {
+        forget();
+        coming = Optional.empty();
+        waiting.clear();
+        doubts = 0;
+    }
+
     /** Begins to bring a list to the vehicle in place of the one that it holds. */
     void put(DrivenList list) {
         whenReadBack(list, why -> {});

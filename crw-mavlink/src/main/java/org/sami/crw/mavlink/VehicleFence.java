@@ -116,7 +116,8 @@ final class VehicleFence {
             notBeforeMs = changedMs + AGAIN_MS; // two stations that set it in turn do not fill the link
             changedMs = nowMs;
             alarm.accept("the fence of vehicle " + id + " was changed by somebody else (" + words
-                    + "); that of this session is set again");
+                    + "); that of this session is set again"
+                    + (commandedMs.isPresent() ? "" : " once it is commanded from here"));
         }
     }
 

@@ -161,7 +161,8 @@ final class VehicleLinks {
 
     private void reported(VehicleSnapshot vehicle, long atMs) {
         int system = vehicle.id().system();
-        if (!boats.containsKey(system) && numbers.isOver(vehicle, atMs)) {
+        boolean isNumberSettled = numbers.isOver(vehicle, atMs); // at each report, so that a later wait begins anew
+        if (isNumberSettled && !boats.containsKey(system)) {
             boats.put(system, boat(vehicle)); // not before: what is kept may be another vehicle's
         }
         Optional<VehicleBoat> known = Optional.ofNullable(boats.get(system)).filter(boat -> boat.is(vehicle.id()));

@@ -189,7 +189,11 @@ class VehicleMotion {
     /** Nobody commands it any longer: of the order that is being carried out, and what was to follow it, no more is done. A stop goes on. */
     final void abandon() {
         forgetNext();
-        if (!isStopping()) {
+        boolean mayArm = hand.isPresent() && isHeard() && !vehicle().armed(); // an order to arm may be under way
+        hand = Optional.empty();
+        if (mayArm) {
+            stop(why -> {});
+        } else if (!isStopping()) {
             pilot.giveUp();
         }
     }

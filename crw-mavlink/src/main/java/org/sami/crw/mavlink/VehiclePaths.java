@@ -173,6 +173,11 @@ final class VehiclePaths {
         gate.opened(along.window().slot(item));
     }
 
+    /** Another vehicle has its id: nothing that was meant for this one is sent there. */
+    void replaced() {
+        store.giveUp();
+    }
+
     /** Its autopilot has started again. Its list is kept. */
     void restarted() {
         store.restarted();

@@ -96,6 +96,9 @@ final class BoatOrders {
                 throw new RefusedException("the session ends: boats are driven by hand no longer");
             }
             checkCommanding(proxy);
+            if (proxy.isFlying()) {
+                throw new RefusedException(boat + " flies, and is not driven by hand from here: its own radio control takes it over");
+            }
             if (proxy.stop().where() != StopLatch.Where.NOWHERE) {
                 throw new RefusedException(boat + " is stopped, release it first");
             }

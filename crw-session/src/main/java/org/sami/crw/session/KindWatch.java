@@ -2,6 +2,7 @@ package org.sami.crw.session;
 
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -23,7 +24,7 @@ final class KindWatch {
     private final Supplier<ProxyRegistry> boats;
     private final MessageSink messages;
     private final LongSupplier nowMillis;
-    private final Set<String> known = new HashSet<>();
+    private final Set<String> told = new HashSet<>();
 
     /**
      * A watch that knows no robot.
@@ -45,11 +46,15 @@ final class KindWatch {
     /** Something happened to the fleet. */
     void take(FleetEvent event) {
         if (event instanceof FleetEvent.StatusReported reported
-                && reported.status().pose().isPresent()
-                && known.add(event.boat())) {
-            boats.get().find(event.boat()).flatMap(BoatProxy::unfit).ifPresent(why -> tell(event.boat(), why));
+                && reported.status().pose().isPresent()) {
+            Optional<String> why = boats.get().find(event.boat()).flatMap(BoatProxy::unfit);
+            if (why.isEmpty()) {
+                told.remove(event.boat()); // another one may come with its name
+            } else if (told.add(event.boat())) {
+                tell(event.boat(), why.get());
+            }
         } else if (event instanceof FleetEvent.Removed) {
-            known.remove(event.boat());
+            told.remove(event.boat());
         }
     }
 

@@ -48,6 +48,11 @@ final class KeyGiving {
         result.complete(null);
     }
 
+    /** Another vehicle answers with its id: it gets no key unasked. */
+    void replaced() {
+        result.completeExceptionally(new IllegalStateException("another vehicle answers as vehicle " + vehicle));
+    }
+
     /** Sends the key again if that is due. Returns whether the exchange is over. */
     boolean tick(long nowMs) {
         if (!result.isDone() && nowMs >= sentMs + AGAIN_MS) {

@@ -21,6 +21,7 @@ final class LinkRecognition {
     private static final long EVERY_MS = 1_000;
     private static final long SELDOM_MS = 10_000; // where it was not recognized
     private static final int TRIES = 10;
+    private static final long SILENT_MS = 3_000;
 
     private final VehicleTable table;
     private final Ask ask;
@@ -52,7 +53,7 @@ final class LinkRecognition {
             for (MavlinkAddress link : unsettled) {
                 open.add(new Asked(vehicle, link));
             }
-            if (table.isNumberOpen(vehicle)) {
+            if (table.isNumberOpen(vehicle) && isHeard(vehicle, nowMs)) {
                 table.linkOf(vehicle).ifPresent(link -> open.add(new Asked(vehicle, link)));
             }
         }
@@ -68,6 +69,13 @@ final class LinkRecognition {
                 }
             }
         }
+    }
+
+    /** One that is silent is asked anew once it is back. */
+    private boolean isHeard(VehicleId vehicle, long nowMs) {
+        return table.vehicle(vehicle)
+                .filter(known -> nowMs - known.heardMs() <= SILENT_MS)
+                .isPresent();
     }
 
     private void send(Asked to, int message) {

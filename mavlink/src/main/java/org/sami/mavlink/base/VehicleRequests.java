@@ -141,6 +141,7 @@ final class VehicleRequests {
     /** Another vehicle answers with this id: what was asked of the one before fails, and nothing of it is sent again. */
     void replaced(VehicleId vehicle) {
         Optional.ofNullable(exchanges.remove(vehicle)).ifPresent(VehicleExchanges::close);
+        Optional.ofNullable(keys.remove(vehicle)).ifPresent(KeyGiving::replaced);
     }
 
     /** Sends again where an answer is overdue. */

@@ -15,13 +15,21 @@ final class LinkSenders {
             "only a radio is heard, and no vehicle: is the vehicle on, and is its radio paired with this one?";
     private static final int RADIO_REPORTS = 3; // of a radio alone: vehicles speak every second
 
+    private static final int AUTOPILOT = 1;
+
     private final Map<Integer, Speech> senders = new HashMap<>();
+    private boolean isAnyRefused;
     private int radioReports;
 
     /** What has come of one sender. */
     private static final class Speech {
         boolean second; // a message of MAVLink 2
         boolean signed;
+    }
+
+    /** A message came that is refused for its signature: somebody speaks there. */
+    void refused() {
+        isAnyRefused = true;
     }
 
     /** A message came that is taken. */
@@ -32,7 +40,9 @@ final class LinkSenders {
         }
         Speech speech = senders.computeIfAbsent(packet.getSystemId(), system -> new Speech());
         speech.second |= packet.isMavlink2();
-        speech.signed |= LinkSigning.isSigned(packet);
+        if (packet.getComponentId() == AUTOPILOT) { // a camera beside it need not sign
+            speech.signed = LinkSigning.isSigned(packet);
+        }
     }
 
     /**
@@ -55,7 +65,7 @@ final class LinkSenders {
     /** What is wrong with all that comes, in words for people. */
     Optional<String> fault() {
         if (senders.isEmpty()) {
-            return radioReports < RADIO_REPORTS ? Optional.empty() : Optional.of(ONLY_A_RADIO);
+            return isAnyRefused || radioReports < RADIO_REPORTS ? Optional.empty() : Optional.of(ONLY_A_RADIO);
         }
         return senders.values().stream().anyMatch(speech -> speech.second)
                 ? Optional.empty()

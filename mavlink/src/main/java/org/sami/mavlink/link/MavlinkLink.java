@@ -313,6 +313,8 @@ public final class MavlinkLink implements AutoCloseable {
         if (wrong.isEmpty()) {
             count.came(packet.getSystemId(), packet.getComponentId(), packet.getSequence());
             senders.came(packet);
+        } else {
+            senders.refused();
         }
         return wrong.isEmpty();
     }

@@ -14,6 +14,7 @@ import org.sami.boat.link.BatteryLevel;
 import org.sami.crw.event.Numbers;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.boat.SessionMemory;
 import org.sami.crw.handler.motion.LaterMoves;
 import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.Move;
@@ -109,11 +110,13 @@ final class Flights implements Consumer<FleetEvent>, HostListener, LaterMoves {
         return position(aircraft).filter(at -> at.altM() > GROUND_M).isPresent();
     }
 
-    /** Whether its battery is neither low nor critical, as far as it has said. */
-    boolean isCharged(String aircraft) {
+    /** Whether its battery is neither low nor critical, as far as it has said, to this base or to one before it. */
+    boolean isCharged(String aircraft, HandlerContext context) {
         return robots.find(aircraft)
                 .flatMap(proxy -> proxy.status().battery())
-                .filter(battery -> battery.level() != BatteryLevel.NOMINAL)
+                .map(battery -> battery.level().name())
+                .or(() -> context.query(view -> SessionMemory.BATTERY.of(aircraft, view)))
+                .filter(level -> !level.equals(BatteryLevel.NOMINAL.name()))
                 .isEmpty();
     }
 

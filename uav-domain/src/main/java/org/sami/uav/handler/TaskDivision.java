@@ -8,8 +8,8 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.sami.crw.fleet.FleetEvent;
-import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.message.MessageSink;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.ActivationHandler;
@@ -89,21 +89,31 @@ final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, Hos
     @Override
     public void handle(Activation activation, HandlerContext context) {
         Map<String, GeoPoint> from = placed(context);
-        if (from.isEmpty()) {
+        boolean isEarly = context.redelivered(); // nobody has said anything to this base yet
+        if (from.isEmpty() && !isEarly) {
             throw new IllegalArgumentException("no aircraft has said where it is");
         }
-        from.keySet().removeIf(name -> !flights.isCharged(name));
+        from.keySet().removeIf(name -> !flights.isCharged(name, context));
         if (from.isEmpty()) {
             waiting.put(activation.id(), new Waiting(activation, context));
-            messages.tell(ActivationMessages.of(
-                    activation,
-                    context,
-                    Priority.HIGH,
-                    "All batteries are low: the tasks are allocated once one is charged",
-                    List.of()));
+            if (!isEarly) {
+                tellThatAllAreLow(activation, context);
+            }
         } else {
             divide(activation, context, from);
         }
+    }
+
+    /** Once for a mission, however many tasks it allocates. */
+    private void tellThatAllAreLow(Activation activation, HandlerContext context) {
+        messages.tell(new OperatorMessage(
+                context.nowMillis(),
+                activation.mission(),
+                OperatorMessage.Source.DOMAIN,
+                Priority.HIGH,
+                "All batteries are low: the tasks are allocated once one is charged",
+                List.of(),
+                "low-batteries/" + activation.mission()));
     }
 
     private Map<String, GeoPoint> placed(HandlerContext context) {
@@ -115,11 +125,10 @@ final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, Hos
 
     @Override
     public void accept(FleetEvent event) {
-        if (event instanceof FleetEvent.StatusReported reported
-                && flights.isCharged(reported.status().boatId())) {
+        if (event instanceof FleetEvent.StatusReported) {
             for (Waiting one : List.copyOf(waiting.values())) {
                 Map<String, GeoPoint> from = placed(one.context);
-                from.keySet().removeIf(name -> !flights.isCharged(name));
+                from.keySet().removeIf(name -> !flights.isCharged(name, one.context));
                 if (!from.isEmpty()) {
                     waiting.remove(one.activation.id());
                     divide(one.activation, one.context, from);

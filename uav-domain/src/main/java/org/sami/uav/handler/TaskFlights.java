@@ -109,7 +109,7 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
                 && proxy.get().commands().current().stream()
                         .anyMatch(command -> command.mission() == next.activation.mission());
         return flies
-                || !flights.isCharged(aircraft)
+                || (!flights.isCharged(aircraft, next.context) && !flights.isAirborne(aircraft))
                 || arrived.containsKey(aircraft)
                 || next.context.query(view -> isKept(aircraft, next.activation.mission(), view));
     }

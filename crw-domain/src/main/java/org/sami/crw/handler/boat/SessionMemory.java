@@ -36,7 +36,7 @@ public enum SessionMemory {
     }
 
     /** The same in a state of the engine. */
-    Optional<String> of(String boatId, EngineView view) {
+    public Optional<String> of(String boatId, EngineView view) {
         return view.memory(Ids.NONE, prefix + boatId)
                 .filter(TextValue.class::isInstance)
                 .map(value -> ((TextValue) value).value());

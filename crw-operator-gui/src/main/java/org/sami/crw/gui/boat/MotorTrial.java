@@ -86,6 +86,7 @@ final class MotorTrial {
 
     private void begin() {
         boat = context.boats().first();
+        boat.ifPresent(seenMps::remove); // the last trial counts, also one that comes to nothing
         left = TIMES;
         obeyed = false;
         fastestMps = 0;
