@@ -170,6 +170,29 @@ class CopterTakeOffTest {
         assertThat(copter.mission().visited()).isEmpty();
     }
 
+    /** As where its link was lost and is back: its path rises from the low point to the next. */
+    @Test
+    void copterThatFliesToAHighPointAlreadyIsNotMadeToClimbBeforeIt() throws Exception {
+        end();
+        place(1);
+        Waypoint low = new Waypoint(LAT, LON, 8, 5);
+        Waypoint high = new Waypoint(LAT + 0.01, LON, 8, HEIGHT_M);
+        upload(List.of(new Waypoint(LAT + 1e-5, LON, 8, HEIGHT_M), low, high));
+        assertThat(start("start", 0)).isInstanceOf(Ack.class);
+        Await.until(
+                "it is on its way to the last point",
+                WAIT_S,
+                () -> client.last(Progress.class)
+                        .filter(progress -> progress.nextIndex() == 2)
+                        .isPresent());
+        assertThat(copter.heightM()).isLessThan(HEIGHT_M / 2);
+
+        assertThat(start("again", 2)).isInstanceOf(Ack.class);
+
+        assertThat(copter.mode()).isEqualTo(SmallCopter.AUTO);
+        assertThat(copter.takeOffs()).isZero();
+    }
+
     @Test
     void stopDuringTheClimbLeavesItBrakedInTheAirAndItClimbsOnFromThere() throws Exception {
         end();

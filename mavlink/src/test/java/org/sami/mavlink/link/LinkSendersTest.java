@@ -72,6 +72,26 @@ class LinkSendersTest {
     }
 
     @Test
+    void radioIsNotSaidToBeAloneWhereMessagesWereRefused() throws Exception {
+        for (int i = 0; i < 3; i++) {
+            codec.send1(RADIO, 68, radioStatus());
+        }
+        LinkSenders senders = senders(3);
+
+        senders.refused();
+
+        assertThat(senders.fault()).isEmpty();
+    }
+
+    @Test
+    void vehicleThatSignsNoLongerIsNotNamed() throws Exception {
+        codec.send2(5, 1, heartbeat(), 0, 7, SECRET);
+        codec.send2(5, 1, heartbeat());
+
+        assertThat(senders(2).faults(false)).isEmpty();
+    }
+
+    @Test
     void signaturesThatNobodyComparesAreNamed() throws Exception {
         codec.send2(5, 1, heartbeat(), 0, 7, SECRET);
 

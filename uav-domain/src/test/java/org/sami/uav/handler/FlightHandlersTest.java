@@ -399,6 +399,24 @@ class FlightHandlersTest {
         assertThat(allocatedTo(harness)).containsExactly(new ProxyValue("copter1"));
     }
 
+    /** It is asked before anybody has reported to the new base. */
+    @Test
+    void tasksThatABaseBeforeThisOneWasToAllocateAreAllocatedOnceAnAircraftSaysWhereItIs() {
+        FlightHandlerHarness harness = new FlightHandlerHarness(1);
+        harness.restart();
+        TaskDivision division = division(harness);
+        harness.listen(division);
+        TaskId task = new TaskId(1, "Search 1");
+        harness.tasks.put(task, Map.of("location", GeoPoint.of(45.7, 10.72)));
+        harness.activate(division, Map.of(), List.<Token>of(new Token.Task(task)));
+        assertThat(harness.answers).isEmpty();
+
+        harness.pass(10);
+
+        assertThat(allocatedTo(harness)).containsExactly(new ProxyValue("copter1"));
+        assertThat(harness.messages).isEmpty();
+    }
+
     @Test
     void divisionWithTheShorterLongestWayIsFirstWithItsFieldsAsDeclared() {
         FlightHandlerHarness harness = harness(1);
