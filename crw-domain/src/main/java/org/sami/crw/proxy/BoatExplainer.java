@@ -202,7 +202,8 @@ final class BoatExplainer {
     private Optional<String> became() {
         LastCommandOutcome last = driver.lastWord();
         Optional<BoatCommand> landed = last.command()
-                .filter(command -> condition.flies && !isAirborne() && last.cause() == Cause.ARRIVED && endsOnGround(command));
+                .filter(command ->
+                        condition.flies && !isAirborne() && last.cause() == Cause.ARRIVED && endsOnGround(command));
         return landed.isEmpty()
                 ? last.text(titles)
                 : Optional.of(

@@ -97,7 +97,8 @@ final class BoatOrders {
             }
             checkCommanding(proxy);
             if (proxy.isFlying()) {
-                throw new RefusedException(boat + " flies, and is not driven by hand from here: its own radio control takes it over");
+                throw new RefusedException(
+                        boat + " flies, and is not driven by hand from here: its own radio control takes it over");
             }
             if (proxy.stop().where() != StopLatch.Where.NOWHERE) {
                 throw new RefusedException(boat + " is stopped, release it first");

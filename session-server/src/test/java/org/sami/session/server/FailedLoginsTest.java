@@ -22,8 +22,7 @@ class FailedLoginsTest {
     void afterFiveWrongKeysAnAddressTriesNoneAndOthersDo() {
         fail(5);
 
-        assertThat(logins.refusal(HERE))
-                .contains("too many wrong names or keys from " + HERE + "; wait a minute");
+        assertThat(logins.refusal(HERE)).contains("too many wrong names or keys from " + HERE + "; wait a minute");
         assertThat(logins.refusal("10.0.0.7")).isEmpty();
     }
 
