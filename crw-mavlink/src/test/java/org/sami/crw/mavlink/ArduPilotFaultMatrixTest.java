@@ -32,7 +32,6 @@ class ArduPilotFaultMatrixTest {
     private static final List<FaultCase> FEW = List.of(
             new FaultCase(Fault.LINK_CUT, Phase.UPLOAD_HALF),
             new FaultCase(Fault.VEHICLE_STANDS_STILL, Phase.UNDER_WAY),
-            new FaultCase(Fault.REBOOT, Phase.HALF_WAY),
             new FaultCase(Fault.BASE_KILLED, Phase.HALF_WAY));
 
     @TempDir

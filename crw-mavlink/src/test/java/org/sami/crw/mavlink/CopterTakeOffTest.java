@@ -185,7 +185,8 @@ class CopterTakeOffTest {
                 () -> client.last(Progress.class)
                         .filter(progress -> progress.nextIndex() == 2)
                         .isPresent());
-        assertThat(copter.heightM()).isLessThan(HEIGHT_M / 2);
+        Await.until("it has said so, too", WAIT_S, () -> copter.metresTo(LAT, LON) > 20);
+        assertThat(copter.heightM()).isLessThan(HEIGHT_M - 2);
 
         assertThat(start("again", 2)).isInstanceOf(Ack.class);
 
