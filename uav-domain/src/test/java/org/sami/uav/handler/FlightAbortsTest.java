@@ -106,14 +106,7 @@ class FlightAbortsTest {
     void followerThatWaitsDoesNotFlyOffAfterAnEmergencyAbort() {
         harness.pass(2);
         harness.memory.put(OperatingArea.MEMORY, square(60));
-        FollowHandler follow = new FollowHandler(
-                harness.fleet.proxies(),
-                harness.flights,
-                harness.motion,
-                message -> harness.messages.add(message.text()),
-                Runnable::run);
-        harness.listen(follow);
-        harness.activate(follow, new HashMap<>(Map.of("robot", new ProxyValue("copter1"))), "copter2");
+        FollowHandler follow = secondFollowsFirst();
         leadTo(150);
         harness.pass(90);
         assertThat(harness.messages).singleElement().asString().contains("stays where it is");
@@ -134,14 +127,7 @@ class FlightAbortsTest {
     @Test
     void abortOfFutureMissionsLeavesAFollowerThatHasCaughtUp() {
         harness.pass(2);
-        FollowHandler follow = new FollowHandler(
-                harness.fleet.proxies(),
-                harness.flights,
-                harness.motion,
-                message -> harness.messages.add(message.text()),
-                Runnable::run);
-        harness.listen(follow);
-        harness.activate(follow, new HashMap<>(Map.of("robot", new ProxyValue("copter1"))), "copter2");
+        FollowHandler follow = secondFollowsFirst();
         leadTo(20);
         harness.pass(60);
         assertThat(harness.proxy("copter2").commands().current()).isEmpty();
@@ -155,6 +141,18 @@ class FlightAbortsTest {
         assertThat(Geodesy.distanceM(before, harness.flights.position("copter2").orElseThrow()))
                 .isGreaterThan(50);
         assertThat(harness.messages).isEmpty();
+    }
+
+    private FollowHandler secondFollowsFirst() {
+        FollowHandler follow = new FollowHandler(
+                harness.fleet.proxies(),
+                harness.flights,
+                harness.motion,
+                message -> harness.messages.add(message.text()),
+                Runnable::run);
+        harness.listen(follow);
+        harness.activate(follow, new HashMap<>(Map.of("robot", new ProxyValue("copter1"))), "copter2");
+        return follow;
     }
 
     private void leadTo(double northM) {
