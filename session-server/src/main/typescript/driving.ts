@@ -47,9 +47,12 @@ export class Driving {
     this.pointer = null;
   }
 
-  /** What can be done with a boat by hand, always the same element, so that a drag goes on when the list is made again; null where nothing is to be. */
+  /**
+   * What can be done with a boat by hand, always the same element, so that a drag goes on when the list is made again; null where nothing is to
+   * be, as with what flies, which nobody drives from here.
+   */
   node(boat: BoatRow) {
-    if (!this.link.may('drive') || boat.link === 'unreached') {
+    if (!this.link.may('drive') || boat.link === 'unreached' || boat.flies) {
       return null;
     }
     const isMe = boat.driver !== undefined && boat.driver === this.link.welcome?.name;

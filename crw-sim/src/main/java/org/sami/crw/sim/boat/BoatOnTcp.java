@@ -165,6 +165,10 @@ public final class BoatOnTcp implements Closeable {
         }
     }
 
+    private GeoPoint position() {
+        return new GeoPoint(hull.latDeg(), hull.lonDeg(), hull.altM().orElse(0));
+    }
+
     /** The camera of a boat that keeps pictures. */
     private Optional<DrawingCamera> openCamera(BoatSettings settings, TcpServerListener listener) throws IOException {
         if (settings.pictureFolder().isEmpty()) {
@@ -173,7 +177,7 @@ public final class BoatOnTcp implements Closeable {
         PictureFolder folder = PictureFolder.open(settings.pictureFolder().get(), settings.name());
         Supplier<Scene> ahead = () -> new Scene(
                 settings.name(),
-                GeoPoint.of(hull.latDeg(), hull.lonDeg()),
+                position(),
                 hull.headingRad(),
                 Instant.now(),
                 settings.fieldSeed(),
@@ -249,7 +253,8 @@ public final class BoatOnTcp implements Closeable {
             hull.step(seconds);
             instruments.step(seconds);
             batteryPercent = hull.batteryPercent();
-            water.seen(new Scene.SeenBoat(name, GeoPoint.of(hull.latDeg(), hull.lonDeg()), hull.headingRad()));
+            water.seen(new Scene.SeenBoat(
+                    name, position(), hull.headingRad(), hull.altM().isPresent()));
         }
     }
 

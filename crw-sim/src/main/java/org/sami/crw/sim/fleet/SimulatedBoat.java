@@ -93,7 +93,7 @@ public final class SimulatedBoat {
     private Scene ahead(long fieldSeed, GeoPoint home) {
         return new Scene(
                 id,
-                GeoPoint.of(hull.latDeg(), hull.lonDeg()),
+                new GeoPoint(hull.latDeg(), hull.lonDeg(), hull.altM().orElse(0)),
                 hull.headingRad(),
                 DAY.plusMillis(nowMs),
                 fieldSeed,

@@ -233,7 +233,11 @@ public final class SimulatedFleet {
     private List<SeenBoat> others(String boat) {
         return boats.stream()
                 .filter(one -> !one.id().equals(boat))
-                .map(one -> new SeenBoat(one.id(), one.position(), one.hull().headingRad()))
+                .map(one -> new SeenBoat(
+                        one.id(),
+                        one.position(),
+                        one.hull().headingRad(),
+                        one.hull().altM().isPresent()))
                 .toList();
     }
 

@@ -9,22 +9,29 @@ import org.sami.boat.server.vehicle.LocalFrame;
  * The simulated targets on the ground: one in about seven cells of 0.001° by 0.001°. Their places depend only on the seed, so they are the same for all
  * aircraft of one world.
  */
-final class TargetField {
+public final class TargetField {
     private static final double CELL_DEG = 0.001;
     private static final double SHARE = 0.15; // of cells with a target
     private static final int NUMBERS = 10_000;
 
     private final long seed;
 
-    TargetField(long seed) {
+    /** The targets of one world. */
+    public TargetField(long seed) {
         this.seed = seed;
     }
 
-    /** A target: its number, and its place in degrees. */
-    record Target(int number, double latDeg, double lonDeg) {}
+    /**
+     * A target.
+     *
+     * @param number its own, from 0
+     * @param latDeg where it lies, in degrees north
+     * @param lonDeg where it lies, in degrees east
+     */
+    public record Target(int number, double latDeg, double lonDeg) {}
 
     /** The targets within so many metres of a place, in the order of their cells. */
-    List<Target> near(double latDeg, double lonDeg, double radiusM) {
+    public List<Target> near(double latDeg, double lonDeg, double radiusM) {
         List<Target> seen = new ArrayList<>();
         LocalFrame here = new LocalFrame(latDeg, lonDeg);
         int south = cell(here.latDeg(0, -radiusM));

@@ -21,7 +21,10 @@ import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.sami.crw.sim.picture.Perspective.Spot;
 
-/** Draws a {@link Scene}: 640 × 360 pixels, with name, heading, position and time at the lower edge and bearings at the upper one. */
+/**
+ * Draws a {@link Scene}: 640 × 360 pixels, with name, heading, position, height and time at the lower edge; level ahead with bearings at
+ * the upper edge, or straight down with an arrow to north.
+ */
 public final class ScenePicture {
     /** Most bytes of a picture. */
     public static final int MOST_BYTES = 60_000;
@@ -29,7 +32,7 @@ public final class ScenePicture {
     private static final double SEEN_M = 220;
     private static final int STRIP_PX = 24;
     private static final String[] WINDS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
-    private static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
+    static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
     private static final Font BOLD = new Font(Font.SANS_SERIF, Font.BOLD, 13);
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss 'UTC'", Locale.ROOT)
             .withZone(ZoneOffset.UTC);
@@ -55,17 +58,25 @@ public final class ScenePicture {
         try {
             to.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
             to.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-            Perspective view = new Perspective(scene.at(), scene.headingRad());
-            CoastDrawing coast = new CoastDrawing(view, scene.seed());
-            coast.draw(to);
-            WaterSurface.draw(to, view, scene, coast.sunRad());
-            things(to, view, scene).forEach(thing -> thing.drawing().run());
-            bearings(to, view, scene.headingRad());
+            if (scene.isFromAbove()) {
+                new AerialDrawing(to, scene).draw();
+            } else {
+                levelAhead(to, scene);
+            }
             edge(to, scene);
         } finally {
             to.dispose();
         }
         return image;
+    }
+
+    private static void levelAhead(Graphics2D to, Scene scene) {
+        Perspective view = new Perspective(scene.at(), scene.headingRad());
+        CoastDrawing coast = new CoastDrawing(view, scene.seed());
+        coast.draw(to);
+        WaterSurface.draw(to, view, scene, coast.sunRad());
+        things(to, view, scene).forEach(thing -> thing.drawing().run());
+        bearings(to, view, scene.headingRad());
     }
 
     /** The farthest first, as the nearer ones stand before them. */
@@ -80,7 +91,7 @@ public final class ScenePicture {
         for (Scene.SeenBoat boat : scene.others()) {
             Spot spot = view.spot(boat.at());
             if (spot.isSeen(SeenThings.BOAT_M) && spot.aheadM() < 2 * SEEN_M) {
-                things.add(new Thing(spot, () -> SeenThings.boat(to, spot, boat, scene.headingRad(), SMALL)));
+                things.add(new Thing(spot, () -> SeenThings.robot(to, spot, boat, scene.headingRad(), SMALL)));
             }
         }
         Spot home = view.spot(scene.home());
@@ -126,6 +137,9 @@ public final class ScenePicture {
                         scene.at().lonDeg()),
                 262,
                 top + 17);
+        if (scene.isFromAbove()) {
+            to.drawString(String.format(Locale.ROOT, "%.0f m up", scene.at().altM()), 414, top + 17);
+        }
         String time = TIME.format(scene.time());
         to.drawString(time, Perspective.WIDTH - 10 - to.getFontMetrics().stringWidth(time), top + 17);
     }

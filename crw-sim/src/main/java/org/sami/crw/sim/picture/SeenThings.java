@@ -71,8 +71,33 @@ final class SeenThings {
         to.fill(new Ellipse2D.Double(spot.x() - w * 0.16, top, w * 0.32, w * 0.32));
     }
 
+    /** A boat, or a copter at its height above the water. */
+    static void robot(Graphics2D to, Spot spot, SeenBoat robot, double viewRad, Font font) {
+        if (robot.flies()) {
+            copter(to, spot, robot, font);
+        } else {
+            boat(to, spot, robot, viewRad, font);
+        }
+    }
+
+    /** Arms with rotors from the side; its shadow lies on the water below. */
+    private static void copter(Graphics2D to, Spot spot, SeenBoat copter, Font font) {
+        double s = spot.scale();
+        double y = spot.y() - (copter.at().altM() + 0.25) * s;
+        shadow(to, spot, 0.9 * s);
+        to.setColor(INK);
+        to.fill(new Rectangle2D.Double(spot.x() - 0.5 * s, y - 0.04 * s, s, Math.max(1, 0.08 * s)));
+        to.fill(new RoundRectangle2D.Double(spot.x() - 0.2 * s, y - 0.12 * s, 0.4 * s, 0.26 * s, 0.1 * s, 0.1 * s));
+        to.setColor(new Color(230, 238, 242, 150));
+        for (int side = -1; side <= 1; side += 2) {
+            to.fill(new Ellipse2D.Double(
+                    spot.x() + side * 0.5 * s - 0.36 * s, y - 0.16 * s, 0.72 * s, Math.max(1, 0.08 * s)));
+        }
+        tag(to, copter.name(), spot.x(), y - 0.3 * s - 5, font);
+    }
+
     /** A hull with a box and a mast; how long it looks follows from how it lies. */
-    static void boat(Graphics2D to, Spot spot, SeenBoat boat, double viewRad, Font font) {
+    private static void boat(Graphics2D to, Spot spot, SeenBoat boat, double viewRad, Font font) {
         double turn = boat.headingRad() - viewRad;
         double side = StrictMath.sin(turn);
         double w = (0.55 + (BOAT_M - 0.55) * Math.abs(side)) * spot.scale();
@@ -104,7 +129,7 @@ final class SeenThings {
         tag(to, boat.name(), spot.x(), y - h * 3.1 - 5, font);
     }
 
-    private static void tag(Graphics2D to, String name, double x, double bottom, Font font) {
+    static void tag(Graphics2D to, String name, double x, double bottom, Font font) {
         to.setFont(font);
         double width = to.getFontMetrics().stringWidth(name);
         to.setColor(new Color(20, 28, 32, 150));
