@@ -8,6 +8,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Document;
 import javax.swing.text.PlainDocument;
@@ -92,6 +93,7 @@ public final class PlansPanel extends JPanel {
             startWith.refresh();
             disabled.show(chosen());
             tellAbout();
+            SwingUtilities.invokeLater(table::scrollToSelection); // once the words below, which may take its row's place, are laid out
         });
         table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "start");
         table.table().getActionMap().put("start", start);

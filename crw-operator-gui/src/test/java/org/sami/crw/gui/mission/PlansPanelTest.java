@@ -5,6 +5,7 @@ import static org.sami.crw.gui.EventThreadCall.onEventThread;
 import static org.sami.crw.gui.SessionWorld.find;
 import static org.sami.crw.gui.SessionWorld.until;
 
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.nio.file.Path;
 import java.util.List;
@@ -91,6 +92,32 @@ class PlansPanelTest {
                 assertThat(start.getText()).isEqualTo("Start mission");
                 assertThat(start.getWidth()).isGreaterThanOrEqualTo(start.getPreferredSize().width);
                 assertThat(plans.getBounds().contains(bounds(start))).isTrue();
+                return null;
+            });
+        }
+    }
+
+    /** What a plan does in full takes the place of rows. */
+    @Test
+    void rowThatIsSelectedStaysInSightWhenItsDescriptionNeedsItsPlace() throws Exception {
+        try (SessionWorld world = new SessionWorld(PROJECT)) {
+            PlansPanel plans = panel(world);
+            JTable table = find(plans, "plans-table", JTable.class);
+            int row = onEventThread(() -> {
+                table.setRowSelectionInterval(0, 0); // the folder, which has no description
+                Layout.layOut(plans, 608, 290);
+                Rectangle seen = table.getVisibleRect();
+                return table.rowAtPoint(new Point(5, seen.y + seen.height - 5));
+            });
+            onEventThread(() -> {
+                table.setRowSelectionInterval(row, row);
+                Layout.layOut(plans, 608, 290);
+                return null;
+            });
+            onEventThread(() -> {
+                assertThat(table.getRowCount()).isGreaterThan(row + 1);
+                assertThat(table.getVisibleRect().contains(table.getCellRect(row, 0, true)))
+                        .isTrue();
                 return null;
             });
         }
