@@ -39,6 +39,7 @@ export function boats(link: Link, actions: Actions) {
     const status = link.row('standings', boat.id)?.status;
     const figures = [
       boat.battery === undefined ? null : Math.round(boat.battery) + ' %',
+      boat.alt === undefined ? null : Math.round(boat.alt) + ' m up',
       boat.speed === undefined ? null : Math.abs(boat.speed).toFixed(1) + ' m/s',
       boat.heard === undefined ? null : 'heard ' + duration(link.now() - boat.heard) + ' ago',
       boat.driver ? 'driven by ' + boat.driver : null,

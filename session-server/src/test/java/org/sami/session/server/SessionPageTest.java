@@ -16,6 +16,7 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.ProcessClock;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.tcp.BoatAddress;
 import org.sami.crw.session.Session;
 import org.sami.crw.sim.boat.BoatOnTcp;
@@ -130,6 +131,32 @@ class SessionPageTest {
             Await.until("the boat has stopped", () -> speedMps() < 0.1);
             browser.click("#panel .by-hand button.main");
             browser.until("document.querySelector('.stick') === null");
+        }
+    }
+
+    @Test
+    void copterIsNotTakenByHandFromThePage() throws Exception {
+        try (BoatOnTcp copter = new BoatOnTcp(
+                BoatSettings.of("copter1", ANY_PORT, GeoPoint.of(45.4, 10.9), 1).of(RobotKind.COPTER),
+                new SteadyClock(ProcessClock::ms),
+                TcpServerListener.NONE)) {
+            session.fleet()
+                    .connect(new BoatAddress(
+                            copter.address().getAddress().getHostAddress(),
+                            copter.address().getPort()));
+            page.join();
+            browser.click("#tabs button:nth-child(2)");
+            browser.until("document.querySelector('#panel button.row') !== null"
+                    + " && document.querySelector('#panel button.row').textContent.includes('%')");
+            browser.click("#panel button.row");
+            browser.until("document.querySelector('#panel button.row.selected') !== null");
+
+            assertThat(browser.value("document.querySelector('#panel .by-hand') === null")
+                            .asBoolean())
+                    .isTrue();
+            assertThat(browser.value("document.querySelector('#panel button.row').textContent")
+                            .asText())
+                    .contains(" 0 m up · ");
         }
     }
 
