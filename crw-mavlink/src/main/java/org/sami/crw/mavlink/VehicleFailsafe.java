@@ -15,7 +15,8 @@ import org.sami.mavlink.vehicle.VehicleId;
  * <p>Source: ArduPilot's parameters {@code FS_GCS_ENABLE} (0 off, 1 on, 2 on but not in AUTO) and {@code FS_ACTION} (0 nothing, 1 RTL, 2 hold, 3 and 4 smart
  * RTL: back along the way that it came, 3 straight home where it does not know that, 5 end, 6 keep the place or hold). Copters have {@code FS_GCS_ENABLE} alone (0 off,
  * 1 RTL, 3 and 4 smart RTL, 5 land, 6 land or RTL, 7 brake or land). {@code FS_GCS_TIMEOUT} is after how many seconds; the ground station is the one of the system id
- * {@code MAV_GCS_SYSID}, in earlier firmware {@code SYSID_MYGCS}.
+ * {@code MAV_GCS_SYSID}, in earlier firmware {@code SYSID_MYGCS}. A vehicle that holds rally points ({@code RALLY_TOTAL}) returns to the nearest of them and of its
+ * home, but where it goes back the way that it came.
  */
 final class VehicleFailsafe {
     private static final String ENABLE = "FS_GCS_ENABLE";
@@ -23,6 +24,7 @@ final class VehicleFailsafe {
     private static final String TIMEOUT = "FS_GCS_TIMEOUT";
     private static final String STATION = "MAV_GCS_SYSID";
     private static final String EARLIER_STATION = "SYSID_MYGCS";
+    private static final String RALLY_POINTS = "RALLY_TOTAL";
     private static final int THIS_BASE = 255;
     private static final int OFF = 0;
     private static final int NOT_IN_AUTO = 2; // of FS_GCS_ENABLE of a boat
@@ -46,6 +48,7 @@ final class VehicleFailsafe {
     private Optional<Double> timeoutS = Optional.empty();
     private Optional<Integer> station = Optional.empty();
     private String stationName = STATION;
+    private int rallyPoints;
 
     /**
      * Nothing is read yet.
@@ -69,6 +72,7 @@ final class VehicleFailsafe {
         watched.forget();
         readAction(why -> {});
         read(TIMEOUT, seconds -> timeoutS = Optional.of(seconds), () -> {});
+        read(RALLY_POINTS, number -> rallyPoints = whole(number), () -> {});
         read(
                 STATION,
                 number -> heeds(STATION, number),
@@ -98,6 +102,7 @@ final class VehicleFailsafe {
             }
             case ACTION -> action = Optional.of(whole(value));
             case TIMEOUT -> timeoutS = Optional.of(value);
+            case RALLY_POINTS -> rallyPoints = whole(value);
             default -> heeds(name, value);
         }
         changed.run();
@@ -204,7 +209,22 @@ final class VehicleFailsafe {
                 ? ""
                 : timeoutS.map(seconds -> String.format(Locale.ROOT, ", after %.0f s", seconds))
                         .orElse("");
-        return does + after + (heedsAnother() ? ", " + anotherWords() : "");
+        return does + after + rally() + (heedsAnother() ? ", " + anotherWords() : "");
+    }
+
+    /** Empty where it does not return, or holds no rally points. */
+    private String rally() {
+        if (rallyPoints == 0 || set().filter(LostLinkAction.RETURN::equals).isEmpty()) {
+            return "";
+        }
+        return ", to the nearest of its home and "
+                + (rallyPoints == 1 ? "its rally point" : "its " + rallyPoints + " rally points")
+                + (isSmart() ? " where it does not go back the way that it came" : "");
+    }
+
+    private boolean isSmart() {
+        int number = flies ? enable.orElse(OFF) : action.orElse(OFF);
+        return number == SMART_RETURN || number == SMART_RETURN_OR_HOLD;
     }
 
     private String anotherWords() {

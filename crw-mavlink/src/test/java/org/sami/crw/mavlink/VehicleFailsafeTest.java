@@ -68,6 +68,35 @@ class VehicleFailsafeTest {
     }
 
     @Test
+    void saysWhereItReturnsToByItsRallyPoints() {
+        boat.parameter("FS_GCS_ENABLE", 1);
+        boat.parameter("FS_ACTION", 1);
+        boat.parameter("RALLY_TOTAL", 2);
+        LinkClient client = linked();
+        try {
+            says(
+                    client,
+                    LostLinkAction.RETURN,
+                    "FS_GCS_ENABLE 1, FS_ACTION 1, to the nearest of its home and its 2 rally points");
+
+            assertThat(client.ask(new SetLostLinkAction("home", LostLinkAction.RETURN)))
+                    .isInstanceOf(Ack.class);
+
+            says(
+                    client,
+                    LostLinkAction.RETURN,
+                    "FS_GCS_ENABLE 1, FS_ACTION 3, to the nearest of its home and its 2 rally points where it does not go"
+                            + " back the way that it came");
+
+            boat.setByAnother("RALLY_TOTAL", 1);
+
+            client.untilAlarm("what vehicle 5 does when its link is lost was changed by somebody else: RALLY_TOTAL 1");
+        } finally {
+            client.close();
+        }
+    }
+
+    @Test
     void whatAnotherStationSetsIsAnAlarmAndInForce() {
         boat.parameter("FS_GCS_ENABLE", 1);
         boat.parameter("FS_ACTION", 1);
