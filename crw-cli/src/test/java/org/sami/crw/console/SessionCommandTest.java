@@ -17,6 +17,7 @@ import org.sami.boat.link.SteadyClock;
 import org.sami.boat.server.tcp.TcpServerListener;
 import org.sami.boat.server.testing.ProcessClock;
 import org.sami.crw.cli.CommandResult;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.sim.boat.BoatOnTcp;
 import org.sami.crw.sim.boat.BoatSettings;
 import org.sami.spn.value.GeoPoint;
@@ -68,10 +69,16 @@ class SessionCommandTest {
 
     private int scripts;
 
-    private BoatOnTcp boat(String name) throws IOException {
+    private static BoatOnTcp boat(String name) throws IOException {
+        return robot(name, RobotKind.BOAT);
+    }
+
+    private static BoatOnTcp robot(String name, RobotKind kind) throws IOException {
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
         return new BoatOnTcp(
-                BoatSettings.of(name, anyPort, PIER, 1), new SteadyClock(ProcessClock::ms), TcpServerListener.NONE);
+                BoatSettings.of(name, anyPort, PIER, 1).of(kind),
+                new SteadyClock(ProcessClock::ms),
+                TcpServerListener.NONE);
     }
 
     private static String address(BoatOnTcp boat) {
@@ -262,6 +269,21 @@ class SessionCommandTest {
 
             assertThat(ran.out() + ran.err())
                     .contains("anna is stopped, release it first")
+                    .doesNotContain("was driven");
+        }
+    }
+
+    @Test
+    void copterIsNotDrivenByHand() throws IOException {
+        try (BoatOnTcp copter = robot("kite", RobotKind.COPTER)) {
+            CommandResult ran = session(
+                    List.of("--domain", "uav", "--connect", address(copter)),
+                    "wait boats 1 within 120",
+                    "drive kite 0.5 0 1",
+                    "boats");
+
+            assertThat(ran.out() + ran.err())
+                    .contains("kite flies, and is not flown by hand from here: its own radio control takes it over")
                     .doesNotContain("was driven");
         }
     }

@@ -98,7 +98,7 @@ final class BoatOrders {
             checkCommanding(proxy);
             if (proxy.isFlying()) {
                 throw new RefusedException(
-                        boat + " flies, and is not driven by hand from here: its own radio control takes it over");
+                        boat + " flies, and is not flown by hand from here: its own radio control takes it over");
             }
             if (proxy.stop().where() != StopLatch.Where.NOWHERE) {
                 throw new RefusedException(boat + " is stopped, release it first");
