@@ -30,7 +30,15 @@ class CopterPlansRunTest {
     private static Stream<Arguments> runs() {
         return Stream.of(
                 of(Run.of("first-flight", 2), "Airborne", "Time is up", "All are down"),
+                of(Run.of("first-flight", 2).charged("35.3"), "Battery low in the climb", "All are down"),
                 of(Run.of("look", 1), "There", "Seen", "All down"),
+                of(
+                        Run.of("look", 1)
+                                .charged("38")
+                                .with(Map.of("fly-to.location", "{\"lat\": 45.7, \"lon\": 10.72, \"alt\": 30}")),
+                        "There",
+                        "Battery low at the location",
+                        "All down"),
                 of(
                         Run.of("look", 1)
                                 .with(Map.of("fly-to.location", "{\"lat\": 45.7, \"lon\": 10.72, \"alt\": 300}")),
@@ -69,6 +77,16 @@ class CopterPlansRunTest {
                         "The next one flies",
                         "Back in reserve",
                         "Time is up"),
+                of(
+                        Run.of("battery-rotation", 2)
+                                .charged("35.5,100")
+                                .with(Map.of("location", POST, "watch-time.duration", "120s")),
+                        "Battery low on the way",
+                        "The next one flies",
+                        "At the post",
+                        "Back in reserve",
+                        "Time is up"),
+                of(Run.of("follow", 2).charged("35.3"), "Battery low in the climb", "All are down"),
                 of(
                         Run.of("follow", 2)
                                 .with(Map.of("robot", "copter1", "how-long.duration", "60s"))
