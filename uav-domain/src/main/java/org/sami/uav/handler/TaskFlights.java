@@ -19,6 +19,7 @@ import org.sami.crw.handler.motion.Move;
 import org.sami.crw.handler.motion.Reply;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.status.BoatStatus;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.host.HostListener;
@@ -28,8 +29,8 @@ import org.sami.spn.protocol.Input;
 import org.sami.spn.value.TaskId;
 
 /**
- * Flights to the locations of tasks. An aircraft with several flies to the next one when it has no flight and no search of a task any longer, and its battery is not low. For the
- * fleet's thread; it passes the engine's steps on to it.
+ * Flights to the locations of tasks. An aircraft with several flies to the next one when it has no flight and no search of a task any longer, and its battery is not low; what becomes
+ * of its tasks where that is low and it is on the ground, {@link GroundedTasks} decides. For the fleet's thread; it passes the engine's steps on to it.
  */
 final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMoves {
     private static final Reply REPLY = Reply.way(UavEvents.REACHED_LOCATION, UavEvents.CANNOT_FLY);
@@ -38,6 +39,7 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
     private final Flights flights;
     private final MotionCommands motion;
     private final Executor fleet;
+    private final GroundedTasks grounded;
     private final Set<String> keeping;
     private final Map<String, Deque<Waiting>> waiting = new HashMap<>(); // by aircraft
     private final Map<String, Flown> flown = new HashMap<>(); // by aircraft: its last flight
@@ -51,6 +53,10 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
         Move move() {
             return Flights.move(activation, context, flight, REPLY, "-" + task().name());
         }
+
+        boolean isOpen() {
+            return flight.aircraft().stands(activation, context) && !move().isOver(activation, context);
+        }
     }
 
     /** A flight under way, or over. */
@@ -61,11 +67,18 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
      *
      * @param keeping types of output events that keep an aircraft at its task
      */
-    TaskFlights(ProxyRegistry robots, Flights flights, MotionCommands motion, Executor fleet, Set<String> keeping) {
+    TaskFlights(
+            ProxyRegistry robots,
+            Flights flights,
+            MotionCommands motion,
+            Executor fleet,
+            GroundedTasks grounded,
+            Set<String> keeping) {
         this.robots = robots;
         this.flights = flights;
         this.motion = motion;
         this.fleet = fleet;
+        this.grounded = grounded;
         this.keeping = Set.copyOf(keeping);
     }
 
@@ -86,7 +99,11 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
             Waiting next = queue.peek();
             if (isBusy(aircraft, next)) {
                 return;
+            } else if (isGrounded(aircraft, next)) {
+                giveBack(aircraft, queue);
+                return;
             }
+            grounded.flies(aircraft);
             queue.remove();
             Optional<String> reason = flights.refusal(next.flight);
             if (reason.isPresent()) {
@@ -109,9 +126,32 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
                 && proxy.get().commands().current().stream()
                         .anyMatch(command -> command.mission() == next.activation.mission());
         return flies
-                || (!flights.isCharged(aircraft, next.context) && !flights.isAirborne(aircraft))
                 || arrived.containsKey(aircraft)
                 || next.context.query(view -> isKept(aircraft, next.activation.mission(), view));
+    }
+
+    /** Whether it is to be charged before it goes anywhere. */
+    private boolean isGrounded(String aircraft, Waiting next) {
+        return !flights.isCharged(aircraft, next.context) && !flights.isAirborne(aircraft);
+    }
+
+    /** Once it has said to this base where it is, and how its battery is. */
+    private void giveBack(String aircraft, Deque<Waiting> queue) {
+        robots.find(aircraft)
+                .map(BoatProxy::status)
+                .filter(status -> status.pose().isPresent())
+                .flatMap(BoatStatus::battery)
+                .ifPresent(battery -> {
+                    List<GroundedTasks.Task> tasks = queue.stream()
+                            .filter(Waiting::isOpen)
+                            .map(one -> new GroundedTasks.Task(one.activation, one.context, one.task()))
+                            .toList();
+                    Set<TaskId> back = grounded.giveBack(aircraft, battery, tasks);
+                    queue.removeIf(one -> back.contains(one.task()));
+                    if (queue.isEmpty()) {
+                        waiting.remove(aircraft);
+                    }
+                });
     }
 
     private boolean isKept(String aircraft, long mission, EngineView view) {

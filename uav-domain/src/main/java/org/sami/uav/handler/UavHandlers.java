@@ -52,7 +52,12 @@ public final class UavHandlers implements HandlerModule {
 
     private static void addFlights(HandlerParts parts, Flights flights) {
         TaskFlights tasks = new TaskFlights(
-                parts.robots(), flights, parts.motion(), parts.fleet(), Set.of(UavEvents.SEARCH_AROUND));
+                parts.robots(),
+                flights,
+                parts.motion(),
+                parts.fleet(),
+                new GroundedTasks(parts.messages()),
+                Set.of(UavEvents.SEARCH_AROUND));
         parts.addMotion(UavEvents.FLY_TO, new FlyToHandler(flights, tasks));
         parts.listen((Consumer<FleetEvent>) tasks);
         parts.listen((HostListener) tasks);

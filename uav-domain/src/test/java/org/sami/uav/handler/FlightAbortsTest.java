@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.handler.activation.Addressee;
@@ -77,8 +76,7 @@ class FlightAbortsTest {
     @Test
     void tasksThatAnAircraftIsToFlyToLaterFailAtAnEmergencyAbort() {
         harness.pass(2);
-        TaskFlights flights =
-                new TaskFlights(harness.fleet.proxies(), harness.flights, harness.motion, Runnable::run, Set.of());
+        TaskFlights flights = harness.taskFlights();
         harness.listen(flights);
         List<TaskId> tasks = List.of(new TaskId(1, "T1"), new TaskId(1, "T2"));
         harness.activate(
@@ -156,8 +154,7 @@ class FlightAbortsTest {
     }
 
     private void leadTo(double northM) {
-        TaskFlights tasks =
-                new TaskFlights(harness.fleet.proxies(), harness.flights, harness.motion, Runnable::run, Set.of());
+        TaskFlights tasks = harness.taskFlights();
         GeoPoint to = Flights.at(Geodesy.offset(BASE, 0, northM), 20);
         harness.activate(new FlyToHandler(harness.flights, tasks), Map.of("location", to), "copter1");
     }

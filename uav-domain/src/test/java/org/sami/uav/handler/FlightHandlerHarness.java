@@ -32,6 +32,7 @@ import org.sami.spn.engine.MissionView;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.host.HostListener;
+import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
@@ -45,8 +46,6 @@ import org.sami.spn.value.Value;
 
 /** Handlers on simulated copters without an engine: a test activates them, and sees what they answer. Every token stands where it was, and every event is awaited. */
 final class FlightHandlerHarness implements HandlerContext {
-    private static final String PLACE = "place";
-
     final VirtualClock clock = new VirtualClock();
     final SimulatedFleet fleet;
     final Flights flights;
@@ -55,10 +54,17 @@ final class FlightHandlerHarness implements HandlerContext {
     final List<String> messages = new ArrayList<>();
     final Map<TaskId, Map<String, Value>> tasks = new HashMap<>();
     final Map<String, Value> memory = new HashMap<>(); // of the mission
+    final Map<TaskId, String> allocation = new HashMap<>();
     private final List<Consumer<FleetEvent>> listeners = new ArrayList<>();
     private final List<Token> standing = new ArrayList<>();
     private final List<Activation> given = new ArrayList<>();
     private long activations;
+
+    /** Where tokens stand. */
+    String place = "place";
+
+    /** The plan of the mission, where a handler asks for it. */
+    Optional<Plan> plan = Optional.empty();
 
     /** Whether activations are delivered again by a base that goes on. */
     boolean isRedelivered;
@@ -128,13 +134,13 @@ final class FlightHandlerHarness implements HandlerContext {
                 1,
                 1,
                 "plan",
-                PLACE,
+                place,
                 "event",
                 "type",
                 values,
                 Map.of(),
                 tokens,
-                Map.of(),
+                Map.copyOf(allocation),
                 List.of(),
                 Priority.MEDIUM);
         given.add(activation);
@@ -196,8 +202,28 @@ final class FlightHandlerHarness implements HandlerContext {
                 answers.add(received.occurrence());
             } else if (input instanceof Input.Remember remember) {
                 memory.put(remember.key(), remember.value());
+            } else if (input instanceof Input.AllocateTasks allocate) {
+                allocate(allocate.allocation());
             }
         }
+    }
+
+    private void allocate(Map<TaskId, Optional<String>> robots) {
+        robots.forEach((task, robot) -> {
+            allocation.remove(task);
+            robot.ifPresent(one -> allocation.put(task, one));
+        });
+    }
+
+    /** Flights to tasks, which hear of the fleet and nothing of the engine's steps. */
+    TaskFlights taskFlights() {
+        return new TaskFlights(
+                fleet.proxies(),
+                flights,
+                motion,
+                Runnable::run,
+                new GroundedTasks(message -> messages.add(message.text())),
+                Set.of());
     }
 
     @Override
@@ -211,6 +237,8 @@ final class FlightHandlerHarness implements HandlerContext {
                         case "proxies" -> fleet.proxies().boatIds();
                         case "memory" -> Optional.ofNullable(memory.get(arguments[1]));
                         case "task" -> Optional.ofNullable(tasks.get(arguments[0]));
+                        case "planOf" -> plan;
+                        case "allocation" -> Map.copyOf(allocation);
                         case "openActivations" -> areOpen ? List.copyOf(given) : List.of();
                         default -> nothing(method.getReturnType());
                     };
@@ -222,7 +250,7 @@ final class FlightHandlerHarness implements HandlerContext {
     }
 
     private MissionView mission() {
-        return new MissionView(1, 0, 1, "plan", "plan", MissionStatus.RUNNING, Map.of(PLACE, standing));
+        return new MissionView(1, 0, 1, "plan", "plan", MissionStatus.RUNNING, Map.of(place, standing));
     }
 
     @Override

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.event.ProxyMaps;
 import org.sami.crw.fleet.FleetEvent;
@@ -49,9 +48,7 @@ class FlightHandlersTest {
     }
 
     private static FlyToHandler flyTo(FlightHandlerHarness harness) {
-        return new FlyToHandler(
-                harness.flights,
-                new TaskFlights(harness.fleet.proxies(), harness.flights, harness.motion, Runnable::run, Set.of()));
+        return new FlyToHandler(harness.flights, harness.taskFlights());
     }
 
     @Test
@@ -201,8 +198,7 @@ class FlightHandlersTest {
     @Test
     void nextTaskIsFlownAfterAnotherCommandOfTheAircraft() {
         FlightHandlerHarness harness = harness(1);
-        TaskFlights flights =
-                new TaskFlights(harness.fleet.proxies(), harness.flights, harness.motion, Runnable::run, Set.of());
+        TaskFlights flights = harness.taskFlights();
         harness.listen(flights);
         List<TaskId> tasks = List.of(new TaskId(1, "T1"), new TaskId(1, "T2"));
         harness.activate(

@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.proxy.command.BoatCommand;
@@ -60,8 +59,7 @@ class FollowHandlerTest {
     }
 
     private void leadTo(GeoPoint point) {
-        TaskFlights tasks =
-                new TaskFlights(harness.fleet.proxies(), harness.flights, harness.motion, Runnable::run, Set.of());
+        TaskFlights tasks = harness.taskFlights();
         harness.activate(new FlyToHandler(harness.flights, tasks), Map.of("location", point), "copter1");
     }
 
