@@ -78,6 +78,9 @@ final class BoatCondition {
     /** How the boat is carried over ground while it does not drive. */
     final DriftTrack drift = new DriftTrack();
 
+    /** How much charge it uses in the air. */
+    final FlightUse flightUse = new FlightUse();
+
     /** The way on which the boat is expected to come home by itself. */
     final ExpectedWayHome wayHome = new ExpectedWayHome(() -> home);
 

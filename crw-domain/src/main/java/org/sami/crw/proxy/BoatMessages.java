@@ -42,6 +42,8 @@ final class BoatMessages {
     /** Why a command is broken off by a fleet stop. */
     static final String FLEET_STOP = "the fleet was stopped";
 
+    private static final double GROUND_M = 0.5; // what flies is on the ground below
+
     private final String boatId;
     private final BoatCondition condition;
     private final ProxyLink link;
@@ -177,6 +179,8 @@ final class BoatMessages {
         Optional<BatteryState> battery =
                 condition.status.battery().map(known -> new BatteryState(telemetry.batteryPercent(), known.level()));
         condition.status = condition.status.with(pose, battery, telemetry.mode());
+        battery.ifPresent(
+                known -> condition.flightUse.says(pose.position().altM() > GROUND_M, known.percent(), condition.nowMs));
         condition.drift.says(pose.position(), telemetry.mode(), telemetry.boatTimeMs());
         condition.wayHome.says(telemetry.mode());
         announce(FleetEvent.StatusReported::new);

@@ -31,6 +31,7 @@ import org.sami.crw.proxy.status.Drift;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.status.StopLatch;
 import org.sami.crw.service.reach.Charge;
+import org.sami.crw.service.reach.Endurance;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.spn.value.GeoPoint;
 
@@ -127,6 +128,18 @@ public final class BoatProxy {
     /** The same where it drives out at a speed in m/s. */
     public Optional<Charge> charge(double speedMps) {
         return condition.status.battery().map(battery -> battery.charge(condition.performance, speedMps));
+    }
+
+    /** How long its charge keeps it in the air; empty for one that does not fly, and before it has reported a charge. */
+    public Optional<Endurance> endurance() {
+        return condition
+                .status
+                .battery()
+                .filter(battery -> condition.flies)
+                .map(battery -> condition.flightUse.percentPerS().stream()
+                        .mapToObj(perS -> Endurance.seen(battery.percent(), perS))
+                        .findFirst()
+                        .orElseGet(() -> Endurance.usual(battery.percent())));
     }
 
     /** What it cannot do and what it measures, as it has reported. */

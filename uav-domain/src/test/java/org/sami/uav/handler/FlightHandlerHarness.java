@@ -50,8 +50,10 @@ final class FlightHandlerHarness implements HandlerContext {
     final SimulatedFleet fleet;
     final Flights flights;
     final MotionCommands motion;
+    final WayQuestions ways;
     final List<Occurrence> answers = new ArrayList<>();
     final List<String> messages = new ArrayList<>();
+    final List<Input.AskOperator> asked = new ArrayList<>();
     final Map<TaskId, Map<String, Value>> tasks = new HashMap<>();
     final Map<String, Value> memory = new HashMap<>(); // of the mission
     final Map<TaskId, String> allocation = new HashMap<>();
@@ -91,10 +93,11 @@ final class FlightHandlerHarness implements HandlerContext {
                 id -> event -> List.copyOf(listeners).forEach(listener -> listener.accept(event)),
                 FleetConfig.DEFAULT.withHull(hull));
         BoatErrors errors = new BoatErrors(fleet.proxies(), CrwServices.STANDARD.error());
+        ways = new WayQuestions(fleet.proxies(), message -> {}, Runnable::run, Set.of());
         motion = new MotionCommands(
                 fleet.proxies(),
                 message -> messages.add(message.text()),
-                new WayQuestions(fleet.proxies(), message -> {}, Runnable::run, Set.of()),
+                ways,
                 new ClearWays(fleet.proxies(), message -> {}, errors, new FleetEvents()));
         flights = new Flights(fleet.proxies(), motion, Runnable::run);
         listen(motion);
@@ -182,6 +185,12 @@ final class FlightHandlerHarness implements HandlerContext {
         });
     }
 
+    /** The operator answers the last question. */
+    void answer(boolean yes) {
+        Input.AskOperator question = asked.get(asked.size() - 1);
+        step(ways, new Input.TimeReached(), new Effect.QuestionAnswered(question.kind(), question.about(), yes));
+    }
+
     /** A copter reports where it took off; that it does not know it, where that is empty. */
     void reportHome(String copter, Optional<GeoPoint> home) {
         Gains none = new Gains(0, 0, 0);
@@ -204,6 +213,8 @@ final class FlightHandlerHarness implements HandlerContext {
                 memory.put(remember.key(), remember.value());
             } else if (input instanceof Input.AllocateTasks allocate) {
                 allocate(allocate.allocation());
+            } else if (input instanceof Input.AskOperator question) {
+                asked.add(question);
             }
         }
     }

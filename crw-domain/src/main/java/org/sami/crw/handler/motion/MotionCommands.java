@@ -73,6 +73,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
      */
     public void send(Activation activation, HandlerContext context, List<Move> moves) {
         List<Move> wanted = wanted(activation, context, moves);
+        wanted.forEach(move -> replaceHeld(activation, move.addressee().boat()));
         List<Move> unknown = context.redelivered() ? goOn(activation, context, wanted) : wanted;
         check(activation, context, awaitingPosition.hold(activation, context, unknown));
     }
@@ -308,6 +309,21 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         }
     }
 
+    /** So it is with those that wait for the boat's position or for the operator, who would else send it after the newer one. */
+    private void replaceHeld(Activation activation, String boat) {
+        held.take(one -> one.mission() == activation.mission()
+                        && one.boat().equals(boat)
+                        && one.activation().id() < activation.id())
+                .forEach(one -> {
+                    SentCommand older = new SentCommand(one.activation(), one.context(), one.move());
+                    if (older.isAwaited()) {
+                        older.post(failed(older, REPLACED));
+                    } else {
+                        end(older);
+                    }
+                });
+    }
+
     /** An activation will ask nothing any more. */
     public void forget(long activation) {
         takenBack.remove(activation);
@@ -359,8 +375,8 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                 }));
     }
 
-    /** The missions that have moves for a boat which are kept back. */
-    Set<Long> held(String boat) {
+    /** The missions that have moves for a boat which are kept back: they wait for its position, or for the operator. */
+    public Set<Long> held(String boat) {
         return held.missions(boat);
     }
 

@@ -54,6 +54,7 @@ public final class WayQuestions implements HostListener {
     private final Executor fleet;
     private final Set<String> withWayHome;
     private final FutileReturns returns;
+    private final FlightCharges flights;
     private final Map<String, WayQuestion> held = new LinkedHashMap<>(); // by kind and activation
     private final List<WayQuestion> next = new ArrayList<>(); // the same, while an earlier one is open
 
@@ -68,6 +69,7 @@ public final class WayQuestions implements HostListener {
         this.fleet = fleet;
         this.withWayHome = Set.copyOf(withWayHome);
         returns = new FutileReturns(boats);
+        flights = new FlightCharges(boats);
     }
 
     /** Takes in what happened to a boat. */
@@ -88,7 +90,10 @@ public final class WayQuestions implements HostListener {
         for (Move move : moves) {
             Optional<Way> way = way(activation, move, avoid);
             Optional<WayDoubt> futile = returns.doubt(move);
-            Optional<WayDoubt> doubt = move.doubt().or(() -> futile).or(() -> way.flatMap(WayCheck::doubt));
+            Optional<WayDoubt> doubt = move.doubt()
+                    .or(() -> futile)
+                    .or(() -> way.flatMap(WayCheck::doubt))
+                    .or(() -> flights.doubt(activation, move));
             Optional<WayBack> back = doubt.isPresent() ? Optional.empty() : way.flatMap(this::wayBack);
             if (back.isPresent() && !back.get().isSure() && asksForWayHome(activation, context, move)) {
                 doubt = Optional.of(
@@ -153,7 +158,7 @@ public final class WayQuestions implements HostListener {
         String boat = move.addressee().boat();
         Optional<BoatStatus> status = boats.find(boat).map(BoatProxy::status);
         Optional<Charge> charge = boats.find(boat)
-                .filter(known -> !known.isFlying()) // aircraft pay for time
+                .filter(known -> !known.isFlying()) // aircraft pay for time: FlightCharges
                 .flatMap(known -> known.charge(SpeedChoice.mps(activation, move.command(), known)));
         return points.isEmpty()
                 ? Optional.empty()

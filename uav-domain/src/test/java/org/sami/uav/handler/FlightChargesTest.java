@@ -1,0 +1,203 @@
+package org.sami.uav.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.service.Geodesy;
+import org.sami.crw.service.reach.Endurance;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.GeoPath;
+import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.MapValue;
+import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.RealValue;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+
+/** Copters that are sent on flights for which their charges do not last are asked about before they fly. */
+class FlightChargesTest {
+    private static final double ALT_M = 30;
+
+    private final FlightHandlerHarness harness = new FlightHandlerHarness(1);
+    private final TaskFlights tasks = harness.taskFlights();
+    private final GeoPoint home;
+
+    FlightChargesTest() {
+        harness.listen(tasks);
+        harness.pass(5);
+        home = harness.flights.position("copter1").orElseThrow();
+    }
+
+    private void charge(double percent) {
+        harness.fleet.boat("copter1").orElseThrow().hull().setBatteryPercent(percent);
+        harness.pass(5);
+    }
+
+    private GeoPoint north(double metres) {
+        return Flights.at(Geodesy.offset(home, 0, metres), ALT_M);
+    }
+
+    private void flyTo(double northM) {
+        harness.activate(new FlyToHandler(harness.flights, tasks), Map.of("location", north(northM)), "copter1");
+        harness.pass(2);
+    }
+
+    private List<String> asked() {
+        return harness.asked.stream().map(Input.AskOperator::prompt).toList();
+    }
+
+    @Test
+    void flightThatTheChargeLastsForIsFlownWithoutAQuestion() {
+        charge(50);
+        flyTo(800);
+        harness.pass(30);
+
+        assertThat(asked()).isEmpty();
+        assertThat(harness.altM("copter1")).isGreaterThan(20);
+    }
+
+    @Test
+    void copterWhoseChargeDoesNotLastWaitsForTheOperatorAndFliesOnAYes() {
+        charge(30);
+        flyTo(800);
+        harness.pass(30);
+
+        assertThat(asked())
+                .singleElement()
+                .asString()
+                .matches("copter1 needs 2\\d\\d s of flight, 1\\d\\d s of them to come home and land, and its charge of"
+                        + " 30 % lasts 1\\d\\d s until 20 %, if a full battery lasts 25 minutes in the air, as nothing"
+                        + " else was seen of it yet. Send it\\?");
+        assertThat(harness.asked.get(0).kind()).isEqualTo("LongWay");
+        assertThat(harness.altM("copter1")).isZero();
+
+        harness.answer(true);
+        harness.pass(30);
+        assertThat(harness.altM("copter1")).isGreaterThan(20);
+        assertThat(harness.answers).isEmpty();
+    }
+
+    @Test
+    void copterThatTheOperatorDoesNotSendStaysAndThePlanIsTold() {
+        charge(30);
+        flyTo(800);
+        harness.answer(false);
+        harness.pass(30);
+
+        assertThat(harness.altM("copter1")).isZero();
+        assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY);
+        assertThat(harness.messages.get(0)).contains("the operator does not want it: copter1 needs");
+    }
+
+    @Test
+    void lanesAndSearchesAndTakeOffsAreCheckedToo() {
+        charge(30);
+        Value path = new GeoPath(List.of(north(800), north(0)));
+        harness.activate(
+                new FlyPathHandler(harness.flights),
+                Map.of("paths", new MapValue(Map.of(new ProxyValue("copter1"), path))),
+                "copter1");
+        assertThat(asked()).hasSize(1);
+        harness.answer(false);
+
+        charge(20.2);
+        harness.activate(
+                VerticalHandler.climbing(harness.flights, UavEvents.AIRBORNE),
+                Map.of("altitude", new RealValue(20)),
+                "copter1");
+        assertThat(asked()).hasSize(2);
+        harness.answer(true);
+        harness.pass(30);
+
+        Sightings sightings = new Sightings();
+        harness.activate(new SearchAroundHandler(harness.flights, sightings), Map.of(), "copter1");
+        assertThat(asked()).hasSize(3);
+        harness.answer(false);
+
+        harness.activate(HoverHandler.looking(harness.motion), Map.of(), "copter1");
+        assertThat(asked()).hasSize(4);
+    }
+
+    @Test
+    void copterIsAlwaysToComeHomeAndLand() {
+        charge(60);
+        flyTo(200);
+        harness.pass(60);
+        charge(8);
+        harness.activate(new ReturnHomeHandler(harness.flights), Map.of(), "copter1");
+        harness.pass(90);
+
+        assertThat(asked()).isEmpty();
+        assertThat(harness.altM("copter1")).isZero();
+    }
+
+    @Test
+    void whatWasSeenOfTheCopterInTheAirCountsAfterwards() {
+        charge(90);
+        flyTo(100);
+        harness.pass(120);
+
+        Endurance endurance = harness.proxy("copter1").endurance().orElseThrow();
+        assertThat(endurance.isSeen()).isTrue();
+        assertThat(endurance.percentPerS()).isBetween(0.9 / 15, 1.1 / 15);
+
+        charge(21);
+        flyTo(800);
+        assertThat(asked()).singleElement().asString().doesNotContain("nothing else was seen");
+    }
+
+    @Test
+    void newerOrderTakesThePlaceOfOneThatWaitsForTheOperator() {
+        charge(60);
+        flyTo(50);
+        harness.pass(60);
+        charge(25);
+        flyTo(800);
+        assertThat(asked()).hasSize(1);
+
+        harness.activate(new ReturnHomeHandler(harness.flights), Map.of(), "copter1");
+        harness.pass(60);
+        harness.answer(true);
+        harness.pass(60);
+
+        assertThat(harness.altM("copter1")).isZero();
+    }
+
+    @Test
+    void nextTaskWaitsWhileTheOperatorIsAskedAboutTheOneBeforeIt() {
+        charge(36);
+        List<TaskId> all = List.of(new TaskId(1, "Far"), new TaskId(1, "Near"));
+        all.forEach(task -> {
+            harness.allocation.put(task, "copter1");
+            harness.tasks.put(task, Map.of("location", north(task.name().equals("Far") ? 900 : 20)));
+        });
+        harness.activate(
+                (activation, context) -> {
+                    for (TaskId task : all) {
+                        tasks.add(
+                                activation,
+                                context,
+                                new Flights.Flight(
+                                        new Addressee("copter1", false, List.of(task)),
+                                        List.of(north(task.name().equals("Far") ? 900 : 20)),
+                                        Flights.SPEED_MPS));
+                    }
+                    tasks.startWaiting();
+                },
+                Map.of(),
+                all.stream().<Token>map(Token.Task::new).toList());
+        harness.pass(30);
+        assertThat(asked()).hasSize(1);
+        assertThat(harness.altM("copter1")).isZero();
+
+        harness.answer(false);
+        harness.pass(30);
+        assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY, UavEvents.REACHED_LOCATION);
+        assertThat(Stream.of("copter1").map(harness::altM)).allMatch(altM -> altM > 10);
+    }
+}
