@@ -95,6 +95,34 @@ class FlightChargesTest {
     }
 
     @Test
+    void baseThatGoesOnDoesNotAskAgain() {
+        charge(30);
+        FlyToHandler handler = new FlyToHandler(harness.flights, tasks);
+        harness.activate(handler, Map.of("location", north(800)), "copter1");
+        harness.answer(false);
+        harness.restart();
+        harness.activateAgain(handler);
+        harness.pass(30);
+
+        assertThat(asked()).hasSize(1);
+        assertThat(harness.altM("copter1")).isZero();
+    }
+
+    @Test
+    void questionThatWasOpenIsAskedAgainByABaseThatGoesOn() {
+        charge(30);
+        FlyToHandler handler = new FlyToHandler(harness.flights, tasks);
+        harness.activate(handler, Map.of("location", north(800)), "copter1");
+        harness.restart();
+        harness.activateAgain(handler);
+        assertThat(asked()).hasSize(2);
+        harness.answer(true);
+        harness.pass(30);
+
+        assertThat(harness.altM("copter1")).isGreaterThan(20);
+    }
+
+    @Test
     void lanesAndSearchesAndTakeOffsAreCheckedToo() {
         charge(30);
         Value path = new GeoPath(List.of(north(800), north(0)));

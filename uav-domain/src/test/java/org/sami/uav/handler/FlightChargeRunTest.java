@@ -1,0 +1,63 @@
+package org.sami.uav.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.sami.crw.report.DecisionResult;
+import org.sami.crw.report.FiringResult;
+import org.sami.crw.report.RunOutcome;
+import org.sami.crw.report.RunReport;
+import org.sami.uav.handler.UavRuns.Run;
+
+/** Runs in which a copter is sent on a flight for which its charge does not last, with the simulated operator. */
+class FlightChargeRunTest {
+    private static final Run FAR = Run.of("look", 1)
+            .with(Map.of("fly-to.location", "{\"lat\": 45.72, \"lon\": 10.72, \"alt\": 30}")); // 2.2 km
+
+    private static List<DecisionResult> questions(RunReport report) {
+        return report.decisions().stream()
+                .filter(decision -> decision.type().equals("LongWay"))
+                .toList();
+    }
+
+    private static List<String> fired(RunReport report) {
+        return report.firings().stream().map(FiringResult::transition).toList();
+    }
+
+    @Test
+    void operatorIsAskedOnceAndSendsIt() {
+        RunReport report = FAR.charged("50").report();
+
+        assertThat(questions(report))
+                .singleElement()
+                .satisfies(question -> assertThat(question.prompt())
+                        .startsWith("copter1 needs ")
+                        .contains("its charge of 50 % lasts 4", "25 minutes")
+                        .endsWith("Send it?"));
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(fired(report)).contains("Battery low", "All down");
+        assertThat(report.boats()).allMatch(copter -> copter.batteryPercent() > 0);
+    }
+
+    @Test
+    void copterThatIsNotSentIsNotThere() {
+        RunReport report = FAR.charged("50")
+                .answering("{\"event\": \"LongWay\", \"answer\": {\"yes\": false}}")
+                .report();
+
+        assertThat(questions(report)).hasSize(1);
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(fired(report)).contains("Not there", "All down");
+        assertThat(report.boats()).allMatch(copter -> copter.batteryPercent() > 49);
+    }
+
+    @Test
+    void nobodyIsAskedWhereTheChargeLasts() {
+        RunReport report = FAR.charged("100").report();
+
+        assertThat(questions(report)).isEmpty();
+        assertThat(fired(report)).contains("There", "Seen", "All down");
+    }
+}
