@@ -151,7 +151,14 @@ public final class ByHand implements GuidedBoats {
     private HandWay.Start start(BoatProxy boat) {
         BoatStart at = HandWay.startOf(boat, services)
                 .orElseThrow(() -> new RefusedException(boat.boatId() + " has not said where it is"));
-        return new HandWay.Start(boat.boatId(), at, boat.charge(), boat.home(), boat.isFlying());
+        return new HandWay.Start(
+                boat.boatId(),
+                at,
+                boat.charge().filter(charge -> !boat.isFlying()), // aircraft pay for time
+                boat.home(),
+                boat.isFlying(),
+                boat.endurance(),
+                boat.cruiseSpeedMps());
     }
 
     private static Limits limits(String boat, EngineView view) {

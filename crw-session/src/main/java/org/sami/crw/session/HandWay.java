@@ -12,6 +12,9 @@ import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.reach.Charge;
+import org.sami.crw.service.reach.Endurance;
+import org.sami.crw.service.reach.Flight;
+import org.sami.crw.service.reach.FlightCheck;
 import org.sami.crw.service.reach.Way;
 import org.sami.crw.service.reach.WayBack;
 import org.sami.crw.service.reach.WayCheck;
@@ -44,16 +47,34 @@ final class HandWay {
     /**
      * What a way begins with.
      *
-     * @param charge that of the boat's battery, if it is known
+     * @param charge that of the battery of a boat that pays for its way, if it is known
      * @param home where the boat returns to, if that is known
      * @param flies whether it does: it goes through the air then, and lands only at its home
+     * @param endurance how long it stays in the air; empty for what does not fly, or where that is not known
+     * @param speedMps its speed on the way
      */
-    record Start(String boat, BoatStart at, Optional<Charge> charge, Optional<GeoPoint> home, boolean flies) {
+    record Start(
+            String boat,
+            BoatStart at,
+            Optional<Charge> charge,
+            Optional<GeoPoint> home,
+            boolean flies,
+            Optional<Endurance> endurance,
+            double speedMps) {
         Start {
             Objects.requireNonNull(boat, "boat");
             Objects.requireNonNull(at, "at");
             Objects.requireNonNull(charge, "charge");
             Objects.requireNonNull(home, "home");
+            Objects.requireNonNull(endurance, "endurance");
+        }
+
+        /** Whether its charge does not last for the flight and the way home; empty where it does. */
+        Optional<WayDoubt> flightDoubt(FollowPath command) {
+            GeoPoint from = at.at();
+            Optional<GeoPoint> landing = from.altM() < AIRBORNE_M ? Optional.of(from) : home;
+            return endurance.flatMap(lasts -> FlightCheck.doubt(
+                    new Flight(boat, from, command.points(), speedMps, 0, landing, command.water()), lasts));
         }
 
         /** Where it goes to come to a point: what flies keeps its altitude, or takes off. */
@@ -125,7 +146,7 @@ final class HandWay {
         command.water()
                 .ifPresent(water ->
                         WayDanger.of(from, command.points(), water).forEach(danger -> doubts.add(danger.words())));
-        Optional<WayDoubt> doubt = WayCheck.doubt(way);
+        Optional<WayDoubt> doubt = WayCheck.doubt(way).or(() -> start.flightDoubt(command));
         doubt.ifPresent(one -> doubts.add(one.words()));
         start.home()
                 .flatMap(home -> WayBack.of(way, home))

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.handler.motion.WayLimits;
+import org.sami.crw.service.reach.Endurance;
 import org.sami.crw.service.water.CrossTrackError;
 import org.sami.session.api.BoatStart;
 import org.sami.spn.value.GeoPoint;
@@ -21,7 +23,9 @@ class FlightByHandTest {
                 new BoatStart(new GeoPoint(45.7, 10.721, altM), CrossTrackError.NONE),
                 Optional.empty(),
                 home,
-                flies);
+                flies,
+                Optional.of(Endurance.seen(40, 0.1)).filter(known -> flies),
+                8);
     }
 
     @Test
@@ -29,6 +33,25 @@ class FlightByHandTest {
         assertThat(start(35, true, Optional.empty()).to(CLICKED)).containsExactly(new GeoPoint(45.701, 10.72, 35));
         assertThat(start(0, true, Optional.empty()).to(CLICKED)).containsExactly(new GeoPoint(45.701, 10.72, 20));
         assertThat(start(0, false, Optional.empty()).to(CLICKED)).containsExactly(CLICKED);
+    }
+
+    private static List<String> doubts(HandWay.Start start, List<GeoPoint> to) {
+        WayLimits none = new WayLimits(List.of(), Optional.empty());
+        return HandWay.of(start, HandWay.command("by-hand", start, to, none), Optional.empty())
+                .doubts();
+    }
+
+    @Test
+    void flightForWhichTheChargeDoesNotLastIsDoubted() {
+        HandWay.Start start = start(35, true, Optional.of(HOME));
+
+        assertThat(doubts(start, start.to(CLICKED))).isEmpty();
+        assertThat(doubts(start, start.to(GeoPoint.of(45.71, 10.72))))
+                .singleElement()
+                .asString()
+                .matches("kite needs \\d+ s of flight, \\d+ s of them to come home and land, and its charge of 40 %"
+                        + " lasts 200 s until 20 %");
+        assertThat(doubts(start, start.back())).isEmpty();
     }
 
     @Test
