@@ -50,6 +50,7 @@ class AlarmModelTest {
     private BatteryLevel level = BatteryLevel.NOMINAL;
     private Optional<BoatCommand> command = Optional.empty();
     private int visited;
+    private boolean flies;
     private Cause cause = Cause.UNDER_WAY;
 
     @BeforeEach
@@ -73,22 +74,23 @@ class AlarmModelTest {
                 .seen(
                         boat,
                         Optional.of(new BoatSnapshot(
-                                boat,
-                                LinkState.LINKED,
-                                OptionalLong.of(now),
-                                Optional.of(new BoatPose(where, headingRad, speedMps, now)),
-                                now,
-                                Optional.of(new BatteryState(batteryPercent, level)),
-                                Optional.empty(),
-                                Commander.THIS_BASE,
-                                command,
-                                visited,
-                                0,
-                                new BoatExplanation(true, cause, ""),
-                                Optional.empty(),
-                                StopLatch.NONE,
-                                List.of(),
-                                settings)));
+                                        boat,
+                                        LinkState.LINKED,
+                                        OptionalLong.of(now),
+                                        Optional.of(new BoatPose(where, headingRad, speedMps, now)),
+                                        now,
+                                        Optional.of(new BatteryState(batteryPercent, level)),
+                                        Optional.empty(),
+                                        Commander.THIS_BASE,
+                                        command,
+                                        visited,
+                                        0,
+                                        new BoatExplanation(true, cause, ""),
+                                        Optional.empty(),
+                                        StopLatch.NONE,
+                                        List.of(),
+                                        settings)
+                                .flying(flies)));
         world.settle();
     }
 
@@ -132,6 +134,18 @@ class AlarmModelTest {
         visited = 1;
         see("anna", at(0, 505), NORTH, 1);
         assertThat(isActive(Kind.RANGE)).isFalse();
+    }
+
+    @Test
+    void chargeOfACopterIsSaidToLastForNoDistance() {
+        flies = true;
+        command = Optional.of(path(at(0, 500), at(0, 1000)));
+        batteryPercent = 20;
+        level = BatteryLevel.LOW;
+        see("anna", HOME, NORTH, 1);
+
+        assertThat(isActive(Kind.RANGE)).isFalse();
+        assertThat(alarm(Kind.BATTERY_LOW)).map(Alarm::text).contains("The battery of anna is low: 20 %");
     }
 
     @Test

@@ -74,8 +74,10 @@ public final class BoatAlarms {
         return boat.battery()
                 .filter(battery -> battery.level() == level)
                 .map(battery -> "The battery of " + boat.boat() + " is " + word + ": "
-                        + Math.round(battery.percent()) + " %, for about "
-                        + Math.round(RangeCheck.rangeM(boat).orElse(0.0) / 100) * 100 + " m");
+                        + Math.round(battery.percent()) + " %"
+                        + RangeCheck.rangeM(boat)
+                                .map(rangeM -> ", for about " + Math.round(rangeM / 100) * 100 + " m")
+                                .orElse(""));
     }
 
     /**

@@ -32,11 +32,13 @@ final class RangeCheck {
         }
     }
 
-    /** How far the charge of a boat takes it, in metres; empty where it has not said. */
+    /** How far the charge of a boat takes it, in metres; empty where it has not said, as for an aircraft, which pays for time and not for its way. */
     static Optional<Double> rangeM(BoatSnapshot boat) {
         BoatPerformance performance =
                 boat.settings().map(BoatTuning::performance).orElse(BoatPerformance.UNKNOWN);
+        boolean paysForTime = boat.flies() && !performance.metresPerPercent().isPresent();
         return boat.battery()
+                .filter(battery -> !paysForTime)
                 .map(battery -> boat.command().orElse(null) instanceof FollowPath path
                                 && path.speedMps().isPresent()
                         ? battery.charge(performance, path.speedMps().getAsDouble())
