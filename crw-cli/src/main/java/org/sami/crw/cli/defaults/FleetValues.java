@@ -18,6 +18,7 @@ import org.sami.crw.operator.alarm.AlarmLimits;
 import org.sami.crw.proxy.execution.CommandDefaults;
 import org.sami.crw.proxy.link.BaseDefaults;
 import org.sami.crw.service.path.PathProblem;
+import org.sami.crw.service.reach.Endurance;
 import org.sami.crw.service.reach.Range;
 import org.sami.crw.service.reach.WayBack;
 import org.sami.crw.service.reach.WayCheck;
@@ -198,6 +199,16 @@ final class FleetValues {
                         WayBack.PLENTY_PERCENT,
                         "%",
                         "A boat that would bring less charge home is named before it starts.")
+                .number(
+                        "time in the air",
+                        Endurance.USUAL_S,
+                        "s",
+                        "A full battery is assumed to keep a copter in the air so long, until it was seen of that copter.")
+                .number(
+                        "charge to land with",
+                        Endurance.LANDING_PERCENT,
+                        "%",
+                        "The operator is asked before a copter flies that would land at home with less.")
                 .number("far point", WayCheck.FAR_M, "m", "The operator is asked about points farther away than this.")
                 .number(
                         "detour",
