@@ -118,6 +118,49 @@ class WayBeforePositionTest {
         assertThat(world.hull("a").isAtRest()).isTrue();
     }
 
+    private void send(GeoPath path, long activation, Priority priority) {
+        world.happens(
+                engine,
+                new TestActivations("ProxyExecutePath")
+                        .id(activation)
+                        .priority(priority)
+                        .with("paths", ProxyMaps.toValue(Map.of("a", path)))
+                        .of("a")
+                        .effect());
+    }
+
+    private List<Input.WithdrawQuestion> withdrawn() {
+        return engine.inputs.stream()
+                .filter(Input.WithdrawQuestion.class::isInstance)
+                .map(Input.WithdrawQuestion.class::cast)
+                .toList();
+    }
+
+    @Test
+    void newerOrderOfTheMissionTakesThePlaceOfOneThatWaitsForTheOperator() {
+        send(FAR, 11, Priority.MEDIUM);
+        world.run(2);
+        send(NEAR, 12, Priority.MEDIUM);
+        world.run(2);
+
+        assertThat(withdrawn())
+                .singleElement()
+                .extracting(Input.WithdrawQuestion::kind)
+                .isEqualTo(QUESTION);
+        assertThat(hasCommand("a")).isTrue();
+    }
+
+    @Test
+    void criticalOrderLeavesOneThatWaitsForTheOperatorAndIsNotCritical() {
+        send(FAR, 11, Priority.MEDIUM);
+        world.run(2);
+        send(NEAR, 12, Priority.CRITICAL);
+        world.run(2);
+
+        assertThat(withdrawn()).isEmpty();
+        assertThat(hasCommand("a")).isTrue();
+    }
+
     @Test
     void boatThatSaysLaterWhereItIsIsAskedAboutByItself() {
         world.cutLink("b", true);

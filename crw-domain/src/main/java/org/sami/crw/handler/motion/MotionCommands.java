@@ -73,7 +73,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
      */
     public void send(Activation activation, HandlerContext context, List<Move> moves) {
         List<Move> wanted = wanted(activation, context, moves);
-        wanted.forEach(move -> replaceHeld(activation, move.addressee().boat()));
+        wanted.forEach(move -> replaceHeld(activation, move));
         List<Move> unknown = context.redelivered() ? goOn(activation, context, wanted) : wanted;
         check(activation, context, awaitingPosition.hold(activation, context, unknown));
     }
@@ -309,11 +309,15 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         }
     }
 
-    /** So it is with those that wait for the boat's position or for the operator, who would else send it after the newer one. */
-    private void replaceHeld(Activation activation, String boat) {
+    /**
+     * What waits for a boat's position or for the operator, who would else send it after the newer one, is replaced as in the boat's queue: a critical command takes no
+     * place of one that is not, nor the other way round.
+     */
+    private void replaceHeld(Activation activation, Move newer) {
         held.take(one -> one.mission() == activation.mission()
-                        && one.boat().equals(boat)
-                        && one.activation().id() < activation.id())
+                        && one.boat().equals(newer.addressee().boat())
+                        && one.activation().id() < activation.id()
+                        && isCritical(one.move()) == isCritical(newer))
                 .forEach(one -> {
                     SentCommand older = new SentCommand(one.activation(), one.context(), one.move());
                     if (older.isAwaited()) {
@@ -322,6 +326,10 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                         end(older);
                     }
                 });
+    }
+
+    private static boolean isCritical(Move move) {
+        return move.command().priority() == Priority.CRITICAL;
     }
 
     /** An activation will ask nothing any more. */
