@@ -53,6 +53,18 @@ class FlightChargeRunTest {
         assertThat(report.boats()).allMatch(copter -> copter.batteryPercent() > 49);
     }
 
+    /** Its flight is replaced by the one home, which its own plan wants. */
+    @Test
+    void copterThatAPlanCallsHomeIsNotReportedAsOneThatFailed() {
+        RunReport report = Run.of("look", 2)
+                .with(Map.of("fly-to.location", "{\"lat\": 45.707, \"lon\": 10.72, \"alt\": 30}"))
+                .charged("40,100")
+                .report();
+
+        assertThat(fired(report)).contains("Battery low", "There", "All down");
+        assertThat(report.notes()).noneMatch(note -> note.message().contains("could not do what"));
+    }
+
     @Test
     void nobodyIsAskedWhereTheChargeLasts() {
         RunReport report = FAR.charged("100").report();

@@ -145,9 +145,10 @@ final class SentCommand {
                 List.of(boat()));
     }
 
-    /** Whether an answer to it is still waited for. */
+    /** Whether an answer to it is still waited for: not where its boat has left the place that asked, and others are still there. */
     boolean isAwaited() {
-        return context.query(view -> view.openActivations().stream().anyMatch(open -> open.id() == activation.id()));
+        return context.query(view -> view.openActivations().stream().anyMatch(open -> open.id() == activation.id()))
+                && addressee.stands(activation, context);
     }
 
     void post(List<Input> inputs) {
