@@ -320,7 +320,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                         && isCritical(one.move()) == isCritical(newer))
                 .forEach(one -> {
                     SentCommand older = new SentCommand(one.activation(), one.context(), one.move());
-                    if (older.isAwaited()) {
+                    if (older.isAwaitedByItsBoat()) {
                         older.post(failed(older, REPLACED));
                     } else {
                         end(older);
@@ -466,7 +466,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     private void onWithdrawn(BoatCommand command, Withdrawal why) {
         SentCommand one = sent.remove(command.commandId());
         String reason = why == Withdrawal.PREEMPTED ? "a command of higher priority took the boat" : REPLACED;
-        if (one != null && (why == Withdrawal.PREEMPTED || one.isAwaited())) {
+        if (one != null && (why == Withdrawal.PREEMPTED || one.isAwaitedByItsBoat())) {
             one.post(failed(one, reason));
         } else {
             end(one);

@@ -145,10 +145,14 @@ final class SentCommand {
                 List.of(boat()));
     }
 
-    /** Whether an answer to it is still waited for: not where its boat has left the place that asked, and others are still there. */
+    /** Whether an answer to it is still waited for. */
     boolean isAwaited() {
-        return context.query(view -> view.openActivations().stream().anyMatch(open -> open.id() == activation.id()))
-                && addressee.stands(activation, context);
+        return context.query(view -> view.openActivations().stream().anyMatch(open -> open.id() == activation.id()));
+    }
+
+    /** The same, by its own boat: another one may be alone in the place that asked. */
+    boolean isAwaitedByItsBoat() {
+        return isAwaited() && addressee.stands(activation, context);
     }
 
     void post(List<Input> inputs) {
