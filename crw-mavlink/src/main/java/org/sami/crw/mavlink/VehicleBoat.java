@@ -71,6 +71,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private Optional<BatteryReport> battery = Optional.empty();
     private long batteryMs;
     private long tickMs; // of the last tick
+    private String toldProgress = ""; // of a command
     private Progress keptProgress = new Progress("", 0, false);
 
     VehicleBoat(MavlinkBase base, VehicleSnapshot first, Executor thread, VehicleFiles files, SeenTargets seen) {
@@ -237,6 +238,7 @@ final class VehicleBoat implements BaseSession.Boat {
         }
         boolean another = flies && now.armed() != vehicle.armed(); // its home is where it was armed
         boolean placed = flies && now.located() && !vehicle.located();
+        fence.inForce(now.health().fenceOn());
         others.reported(vehicle, now, atMs);
         vehicle = now;
         if (performance.reported(now)) {
@@ -329,6 +331,8 @@ final class VehicleBoat implements BaseSession.Boat {
                         }
                         broadcast(report);
                     });
+        } else if (event instanceof VehicleEvent.CommandProgressed progressed) {
+            progress(progressed);
         } else if (event instanceof VehicleEvent.ParameterReported parameter) {
             settings.failsafe().reported(parameter.name(), parameter.value());
             fence.reported(parameter.name(), parameter.value());
@@ -343,6 +347,15 @@ final class VehicleBoat implements BaseSession.Boat {
             targets.report(vehicle, target, atMs).ifPresent(this::broadcast);
         } else {
             orders.happened(event);
+        }
+    }
+
+    /** Each percentage once, as vehicles say it again and again. */
+    private void progress(VehicleEvent.CommandProgressed news) {
+        String words = name + " is at it: " + news.does() + ", " + news.percent() + " %";
+        if (!words.equals(toldProgress)) {
+            toldProgress = words;
+            session.ifPresent(told -> told.say(Priority.LOW, words));
         }
     }
 

@@ -10,6 +10,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.IntUnaryOperator;
 import org.sami.mavlink.base.MavlinkBase;
+import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -20,7 +21,8 @@ import org.sami.mavlink.vehicle.VehicleId;
  * owner's; one that an earlier session on this machine has left there is taken away. For the gateway's thread.
  *
  * <p>Source: ArduPilot's parameters {@code FENCE_TYPE} (bits 1: highest altitude, 2: circle about its home, 4: polygons, 8: lowest altitude; boats have 4 alone, copters
- * keep their altitudes), {@code FENCE_ACTION} (boats 2: mode HOLD; copters 4: BRAKE or land) and {@code FENCE_ENABLE}.
+ * keep their altitudes), {@code FENCE_ACTION} (boats 2: mode HOLD; copters 4: BRAKE or land) and {@code FENCE_ENABLE}. A command (DO_FENCE_ENABLE, 207) and a switch of the
+ * radio control put it out of force and leave them as they are; {@code SYS_STATUS} says whether it is in force.
  */
 final class VehicleFence {
     private static final long AGAIN_MS = 30_000; // after a fault
@@ -29,8 +31,14 @@ final class VehicleFence {
     private static final String TYPE = "FENCE_TYPE";
     private static final String TOTAL =
             "FENCE_TOTAL"; // how much it holds; another station that clears or replaces it changes that
+    private static final String BY_ITSELF =
+            "FENCE_AUTOENABLE"; // not 0: it switches its fence as it takes off, lands or is armed
+    private static final long SWITCHED_MS = 2_000; // in which it says what parameter has put it out of force
+    private static final long IN_FORCE_MS =
+            20_000; // within which it says that its fence is in force, over a slow link too
     private static final int CIRCLE = 2;
     private static final int POLYGONS = 4;
+    private static final int LOWEST = 8;
     private static final int HOLD_BOAT = 2; // its mode HOLD: motors off
     private static final int BRAKE_COPTER = 4; // its mode BRAKE, or a landing where it cannot
 
@@ -48,6 +56,12 @@ final class VehicleFence {
     private boolean busy;
     private long notBeforeMs;
     private String lastFault = "";
+    private boolean mustSwitch; // its parameters alone do not put it in force again
+    private boolean isWatched; // whether it is in force; not where it switches its fence by itself
+    private int kinds = POLYGONS; // of its fence, bits of FENCE_TYPE
+    private boolean isOff; // as it says
+    private boolean wasOn; // since it was set
+    private long sinceMs; // that it is off, or was set
     private final WatchedParameters watched;
     private long nowMs;
     private long changedMs = -AGAIN_MS; // when others were last seen to have changed it
@@ -84,7 +98,7 @@ final class VehicleFence {
         this.alarm = alarm;
         this.given = given;
         this.keep = keep;
-        watched = new WatchedParameters(base, id, thread, this::changedByOthers);
+        watched = new WatchedParameters(base, id, thread, (name, value, words) -> changedByOthers(words));
     }
 
     /** The fence that it is to hold from now on; empty for none of the session's. */
@@ -110,7 +124,24 @@ final class VehicleFence {
         watched.reported(name, value);
     }
 
-    private void changedByOthers(String name, double value, String words) {
+    /** Whether the fence that it holds is in force, as it says; empty where it does not say. */
+    void inForce(Optional<Boolean> now) {
+        boolean nowOff = now.filter(on -> !on).isPresent();
+        sinceMs = nowOff && !isOff ? nowMs : sinceMs;
+        isOff = nowOff;
+        wasOn |= now.orElse(false);
+    }
+
+    /** Out of force while its parameters have it in force: a command or a switch of the radio control did that. */
+    private void look() {
+        boolean isSet = settled.filter(fence -> !fence.isEmpty()).isPresent() && !busy;
+        if (isSet && isWatched && isOff && nowMs - sinceMs >= (wasOn ? SWITCHED_MS : IN_FORCE_MS)) {
+            mustSwitch = true;
+            changedByOthers("switched off by a command or by a switch of its radio control, " + ENABLE + " is 1");
+        }
+    }
+
+    private void changedByOthers(String words) {
         if (settled.isPresent() && !busy) {
             settled = Optional.empty();
             notBeforeMs = changedMs + AGAIN_MS; // two stations that set it in turn do not fill the link
@@ -125,6 +156,7 @@ final class VehicleFence {
     void tick(long atMs, boolean isCommanded) {
         nowMs = atMs;
         watched.tick(atMs, isCommanded && !busy);
+        look();
         commandedMs = isCommanded ? Optional.of(commandedMs.orElse(atMs)) : Optional.empty();
         boolean nothingToDo = wanted.isEmpty() && (given.isEmpty() || mayAreasCome(atMs));
         if (isCommanded && !busy && !nothingToDo && atMs >= notBeforeMs && !settled.equals(Optional.of(wanted))) {
@@ -175,8 +207,28 @@ final class VehicleFence {
     private void heed(List<MissionItem> fence) {
         set(new ArrayList<>(inForce().entrySet()).iterator(), () -> {
             give(List.of(FenceItems.text(fence)));
-            done(fence);
+            if (mustSwitch) {
+                switchOn(fence);
+            } else {
+                done(fence);
+            }
         });
+    }
+
+    /** Whoever has set it to 1 has no effect with that where it was 1. */
+    private void switchOn(List<MissionItem> fence) {
+        Results.when(
+                base.command(id, VehicleCommand.fenceOn(kinds)),
+                thread,
+                outcome -> {
+                    if (outcome.isAccepted()) {
+                        mustSwitch = false;
+                        done(fence);
+                    } else {
+                        failed(outcome.inWords());
+                    }
+                },
+                this::failed);
     }
 
     private void set(Iterator<Map.Entry<String, IntUnaryOperator>> values, Runnable then) {
@@ -192,6 +244,7 @@ final class VehicleFence {
                     int present = (int) Math.round(now);
                     int asked = value.getValue().applyAsInt(present);
                     watched.holds(value.getKey(), asked);
+                    kinds = value.getKey().equals(TYPE) ? asked & ~LOWEST : kinds; // on the ground it is below that
                     if (present == asked) {
                         set(values, then);
                     } else {
@@ -225,11 +278,16 @@ final class VehicleFence {
         notBeforeMs = 0;
         lastFault = "";
         settled = Optional.of(fence);
+        isWatched = false;
+        wasOn = false;
+        sinceMs = nowMs;
         if (fence.isEmpty()) {
             watched.forget();
         } else {
             watched.resume();
             Results.when(base.parameter(id, TOTAL), thread, this::holds, unknown -> {}); // not all firmware says it
+            Results.when(
+                    base.parameter(id, BY_ITSELF), thread, when -> isWatched = when == 0, unknown -> isWatched = true);
         }
     }
 

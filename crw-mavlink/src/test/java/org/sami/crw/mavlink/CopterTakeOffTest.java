@@ -35,6 +35,8 @@ import org.sami.mavlink.testing.TcpRelay;
 class CopterTakeOffTest {
     private static final double WAIT_S = 300; // a machine that does much else flies slowly
     private static final int SYSTEM = 6;
+    private static final int GO_TO_A_PLACE = 192;
+    private static final int GO_ON_AT = 224;
     private static final int FROM = 650; // the part of the path from there on has no take-off
     private static final int IN_THE_FIRST_PART =
             400; // so far along it that the next part takes the place of the take-off
@@ -348,6 +350,33 @@ class CopterTakeOffTest {
         client.untilAlarm("mav6 is taken by a pilot or another ground station (STABILIZE)");
         Await.until("the base only observes", client::isObserver);
         Await.holds("it stays the pilot's", 5, () -> copter.mode() == SmallCopter.STABILIZE);
+    }
+
+    /** What is not answered is sent again, also where it orders the climb of one that was stopped too low. */
+    @Test
+    void pilotWhoTakesItAsItIsOrderedToClimbOnHasIt() throws Exception {
+        end();
+        place(1);
+        takesOff();
+        assertThat(client.ask(new StopMotors("stop"))).isInstanceOf(Ack.class);
+        copter.takenByPilotAt(GO_TO_A_PLACE, SmallCopter.STABILIZE);
+
+        assertThat(start("again", FROM))
+                .isInstanceOfSatisfying(
+                        Nack.class, nack -> assertThat(nack.detail()).startsWith("vehicle 6 fails to go to a place"));
+
+        assertThat(copter.mode()).isEqualTo(SmallCopter.STABILIZE);
+    }
+
+    @Test
+    void pilotWhoTakesItAsItIsToGoOnAfterTheClimbHasIt() throws Exception {
+        end();
+        place(5);
+        takesOff();
+        copter.takenByPilotAt(GO_ON_AT, SmallCopter.STABILIZE);
+
+        client.untilAlarm("vehicle 6 has taken off, and does not go on along its path: it is in mode STABILIZE");
+        Await.holds("it stays the pilot's", 3, () -> copter.mode() == SmallCopter.STABILIZE);
     }
 
     @Test

@@ -143,6 +143,40 @@ class VehicleFenceTest {
         assertThat(FenceItems.isHeld(FENCE, boat.fence().items())).isTrue();
     }
 
+    /** As ArduPilot's DO_FENCE_ENABLE and its switch do: no parameter tells it. */
+    @Test
+    void fenceThatIsSwitchedOffWithoutAParameterIsAnAlarmAndPutInForceAgain() {
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+        isInForce();
+
+        Await.until("it is told", () -> {
+            if (boat.fence().isOn()) { // the base may not have read before that it is
+                boat.fence().switched(false);
+            }
+            return client.hasAlarm(
+                    "the fence of vehicle 5 was changed by somebody else (switched off by a command or by"
+                            + " a switch of its radio control, FENCE_ENABLE is 1); that of this session is set again");
+        });
+
+        Await.until("it is in force again", () -> boat.fence().isOn());
+        assertThat(boat.parameter("FENCE_ENABLE")).isEqualTo(1);
+        assertThat(client.hasAlarm("does not keep to the fence")).isFalse();
+    }
+
+    /** With FENCE_AUTOENABLE it does so as it is armed and disarmed, takes off and lands. */
+    @Test
+    void vehicleThatSwitchesItsFenceByItselfIsLeftToDoSo() {
+        boat.parameter("FENCE_AUTOENABLE", 3);
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+        isInForce();
+        Await.until("it is on", () -> boat.fence().isOn());
+
+        boat.fence().switched(false);
+
+        Await.holds("it stays off", 5, () -> !boat.fence().isOn());
+        assertThat(client.hasAlarm("changed by somebody else")).isFalse();
+    }
+
     @Test
     void fenceThatAnotherStationClearsIsFoundAsABaseComes() {
         client.keepTo(Optional.of(WATER), List.of(ROCK));

@@ -200,7 +200,11 @@ public final class MavlinkBase implements AutoCloseable {
 
     /** The same; {@code progress} receives percents while the vehicle is at it, where it says so, on the base's thread. */
     public CompletableFuture<CommandOutcome> command(VehicleId vehicle, VehicleCommand command, IntConsumer progress) {
-        return on(() -> requests.command(vehicle, command, progress));
+        IntConsumer told = percent -> {
+            progress.accept(percent);
+            tell(List.of(new VehicleEvent.CommandProgressed(vehicle, command.does(), percent)));
+        };
+        return on(() -> requests.command(vehicle, command, told));
     }
 
     /**

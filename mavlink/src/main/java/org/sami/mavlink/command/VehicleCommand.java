@@ -24,13 +24,13 @@ public record VehicleCommand(
     private static final int SET_MODE = 176;
     private static final int REPOSITION = 192;
     private static final int CHANGE_SPEED = 178;
+    private static final int SWITCH_FENCE = 207;
     private static final int SET_CURRENT = 224;
     static final int ARM_DISARM = 400;
     private static final int REBOOT = 246;
     private static final int TAKE_PICTURES = 2_000;
     private static final int TRIGGER_CAMERA = 203;
     private static final double CUSTOM_MODE = 1;
-    private static final double CHANGE_MODE = 1;
     private static final double GROUND_SPEED = 1;
     private static final double FORCED_DISARM = 21_196; // the number that the protocol asks for
     private static final double US = 1e6;
@@ -104,7 +104,17 @@ public record VehicleCommand(
     }
 
     /**
-     * Goes to a place and stays there, in mode GUIDED, which it changes to. It is answered, which a {@link GuidedTarget} is not.
+     * Puts the fence that it holds in force, where its parameters have one in force and somebody has switched it off. The parameters stay as they are.
+     *
+     * @param kinds the kinds of fence, in bits of ArduPilot's {@code FENCE_TYPE}; earlier firmware takes all that it has
+     */
+    public static VehicleCommand fenceOn(int kinds) {
+        return made(SWITCH_FENCE, "put its fence in force", true, 1, kinds);
+    }
+
+    /**
+     * Goes to a place and stays there, in mode GUIDED, in which it has to be: ArduPilot refuses it in others. The command does not change the mode, as it is sent again
+     * until it is answered, and a pilot may have taken the vehicle meanwhile. It is answered, which a {@link GuidedTarget} is not.
      *
      * @param speedMps metres a second; ArduPilot's boats refuse the command with one while they stand: {@link #setSpeed} after it does the same
      */
@@ -113,7 +123,7 @@ public record VehicleCommand(
         return new VehicleCommand(
                 REPOSITION,
                 "go to a place",
-                List.of(speed, CHANGE_MODE, 0.0, Double.NaN, 0.0, 0.0, place.heightM()),
+                List.of(speed, 0.0, 0.0, Double.NaN, 0.0, 0.0, place.heightM()),
                 Optional.of(place),
                 true);
     }

@@ -36,6 +36,14 @@ public sealed interface VehicleEvent {
     record ItemReached(VehicleId vehicle, int item, Optional<VehiclePosition> at, long heardMs)
             implements VehicleEvent {}
 
+    /**
+     * It is at a command that takes it a while. Comes for each percentage that it says, also for the same one again.
+     *
+     * @param does what it was ordered, in words such as {@code take off to 20 m over its home}
+     * @param percent how far it is
+     */
+    record CommandProgressed(VehicleId vehicle, String does, int percent) implements VehicleEvent {}
+
     /** A sensor has a value. */
     record Measured(VehicleId vehicle, VehicleReading reading) implements VehicleEvent {}
 

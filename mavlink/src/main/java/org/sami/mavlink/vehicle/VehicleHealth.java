@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * What a vehicle says is wrong with it.
@@ -14,12 +15,15 @@ import java.util.Locale;
  * @param mayArm whether its own checks before arming pass, as far as it has reported
  * @param failsafe whether it carries out a failsafe: it has lost radio, ground station, position or charge
  * @param outsideFence whether it has left its fence
+ * @param fenceOn whether the fence that it holds is in force, whatever its parameters say; empty where it does not say that it holds one
  * @param failing the parts that are switched on and do not work, such as {@code gps} or {@code battery}, and that another vehicle has its id
  */
-public record VehicleHealth(boolean mayArm, boolean failsafe, boolean outsideFence, List<String> failing) {
+public record VehicleHealth(
+        boolean mayArm, boolean failsafe, boolean outsideFence, Optional<Boolean> fenceOn, List<String> failing) {
     private static final String PREFIX = "MAV_SYS_STATUS_";
     private static final String SENSOR = "SENSOR_";
     private static final int CHECKS = bit(MavSysStatusSensor.MAV_SYS_STATUS_PREARM_CHECK);
+    private static final int FENCE = bit(MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE);
     private static final List<Part> PARTS = Arrays.stream(MavSysStatusSensor.values())
             .map(part -> new Part(bit(part), name(part)))
             .filter(part -> part.bit != CHECKS)
@@ -38,16 +42,19 @@ public record VehicleHealth(boolean mayArm, boolean failsafe, boolean outsideFen
     }
 
     static VehicleHealth unknown() {
-        return new VehicleHealth(false, false, false, List.of());
+        return new VehicleHealth(false, false, false, Optional.empty(), List.of());
     }
 
     VehicleHealth with(SysStatus status) {
         int working = status.onboardControlSensorsHealth().value();
-        int broken = status.onboardControlSensorsEnabled().value() & ~working;
+        int enabled = status.onboardControlSensorsEnabled().value();
+        int broken = enabled & ~working;
+        boolean hasFence = (status.onboardControlSensorsPresent().value() & FENCE) != 0;
         return new VehicleHealth(
                 (working & CHECKS) != 0,
                 failsafe,
                 outsideFence,
+                hasFence ? Optional.of((enabled & FENCE) != 0) : Optional.empty(),
                 PARTS.stream()
                         .filter(part -> (broken & part.bit) != 0)
                         .map(Part::name)
@@ -64,14 +71,14 @@ public record VehicleHealth(boolean mayArm, boolean failsafe, boolean outsideFen
     VehicleHealth with(String fault) {
         List<String> more = new ArrayList<>(failing);
         more.add(fault);
-        return new VehicleHealth(mayArm, failsafe, outsideFence, more);
+        return new VehicleHealth(mayArm, failsafe, outsideFence, fenceOn, more);
     }
 
     VehicleHealth withFailsafe(boolean now) {
-        return new VehicleHealth(mayArm, now, outsideFence, failing);
+        return new VehicleHealth(mayArm, now, outsideFence, fenceOn, failing);
     }
 
     VehicleHealth withFence(boolean outside) {
-        return new VehicleHealth(mayArm, failsafe, outside, failing);
+        return new VehicleHealth(mayArm, failsafe, outside, fenceOn, failing);
     }
 }

@@ -161,7 +161,7 @@ class PendingCommandsTest {
         CommandInt command = (CommandInt) sent.get(0);
         assertThat(command.x()).isEqualTo(451_234_567);
         assertThat(command.y()).isEqualTo(-107_654_321);
-        assertThat(command.param2()).isEqualTo(1f);
+        assertThat(command.param2()).as("whether it changes the mode").isZero();
 
         var target = (SetPositionTargetGlobalInt) new GuidedTarget(place).message(new VehicleId(3, 1));
         assertThat(target.latInt()).isEqualTo(451_234_567);

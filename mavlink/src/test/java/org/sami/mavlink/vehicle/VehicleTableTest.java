@@ -174,6 +174,7 @@ class VehicleTableTest {
     void valuesThatTheAutopilotDoesNotKnowAreEmptyAndNotZero() {
         heard(beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 0));
         heard(SysStatus.builder()
+                .onboardControlSensorsPresent(EnumValue.create(0))
                 .onboardControlSensorsEnabled(EnumValue.create(0))
                 .onboardControlSensorsHealth(EnumValue.create(0))
                 .voltageBattery(65_535)
@@ -221,6 +222,7 @@ class VehicleTableTest {
     void chargeBeyondFullIsNotKnown() {
         heard(beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 0));
         heard(SysStatus.builder()
+                .onboardControlSensorsPresent(EnumValue.create(0))
                 .onboardControlSensorsEnabled(EnumValue.create(0))
                 .onboardControlSensorsHealth(EnumValue.create(0))
                 .voltageBattery(12_600)
@@ -388,6 +390,26 @@ class VehicleTableTest {
     }
 
     @Test
+    void whetherItsFenceIsInForceIsWhatItSaysAndNotWhatItsParametersSay() {
+        int fence = EnumValue.of(MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE).value();
+        heard(beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 4));
+        saysOfItsFence(0, 0);
+        assertThat(only().health().fenceOn()).isEmpty();
+        saysOfItsFence(fence, 0);
+        assertThat(only().health().fenceOn()).contains(false);
+        saysOfItsFence(fence, fence);
+        assertThat(only().health().fenceOn()).contains(true);
+    }
+
+    private void saysOfItsFence(int present, int enabled) {
+        heard(SysStatus.builder()
+                .onboardControlSensorsPresent(EnumValue.create(present))
+                .onboardControlSensorsEnabled(EnumValue.create(enabled))
+                .onboardControlSensorsHealth(EnumValue.create(present))
+                .build());
+    }
+
+    @Test
     void whatIsWrongWithItIsNamed() {
         heard(Heartbeat.builder()
                 .type(MavType.MAV_TYPE_SURFACE_BOAT)
@@ -396,6 +418,7 @@ class VehicleTableTest {
                 .systemStatus(MavState.MAV_STATE_CRITICAL)
                 .build());
         heard(SysStatus.builder()
+                .onboardControlSensorsPresent(EnumValue.create(0))
                 .onboardControlSensorsEnabled(
                         MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_GPS, MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY)
                 .onboardControlSensorsHealth(
@@ -404,7 +427,7 @@ class VehicleTableTest {
                 .build());
         heard(FenceStatus.builder().breachStatus(1).build());
 
-        assertThat(only().health()).isEqualTo(new VehicleHealth(true, true, true, List.of("gps")));
+        assertThat(only().health()).isEqualTo(new VehicleHealth(true, true, true, Optional.empty(), List.of("gps")));
     }
 
     @Test

@@ -32,6 +32,8 @@ public final class SmallBoat implements AutoCloseable {
     private static final String CHANGED = "Auto mission changed, restarted command";
     private static final int SET_MODE = 176;
     private static final int CHANGE_SPEED = 178;
+    private static final int SWITCH_FENCE = 207;
+    private static final float CHANGE_MODE = 1; // of param2
     private static final int REPOSITION = 192;
     private static final int SET_CURRENT = 224;
     private static final int ARM = 400;
@@ -321,7 +323,8 @@ public final class SmallBoat implements AutoCloseable {
         if (message instanceof CommandLong command
                 && command.command().value() != SEND_EVERY
                 && command.command().value() != REQUEST_MESSAGE
-                && faults.isIgnoringOrder()) {
+                && (faults.isIgnoringOrder()
+                        || faults.isIgnoring(command.command().value()))) {
             return;
         }
         if (message instanceof CommandLong command
@@ -333,10 +336,7 @@ public final class SmallBoat implements AutoCloseable {
                 ack(command.command().value(), known);
             }
         } else if (message instanceof CommandInt command && command.command().value() == REPOSITION) {
-            motion.goTo(command.x(), command.y());
-            motion.speed(command.param1() > 0 ? command.param1() : motion.speed());
-            mode = SmallBoatMotion.GUIDED;
-            ack(REPOSITION, true);
+            ack(REPOSITION, goTo(command));
         } else if (message instanceof SetPositionTargetLocalNed course && mode == SmallBoatMotion.GUIDED) {
             courses.add((double) course.yaw());
             motion.steer(course.yaw(), course.vx());
@@ -348,6 +348,16 @@ public final class SmallBoat implements AutoCloseable {
                 && faults.mayAnswer()) {
             mission.answers(message).forEach(this::send);
         }
+    }
+
+    private boolean goTo(CommandInt command) {
+        boolean may = mode == SmallBoatMotion.GUIDED || command.param2() == CHANGE_MODE;
+        if (may) {
+            motion.goTo(command.x(), command.y());
+            motion.speed(command.param1() > 0 ? command.param1() : motion.speed());
+            mode = SmallBoatMotion.GUIDED;
+        }
+        return may;
     }
 
     private boolean command(int number, double first, double second) {
@@ -377,6 +387,7 @@ public final class SmallBoat implements AutoCloseable {
                 }
             }
             case CHANGE_SPEED -> motion.speed(second);
+            case SWITCH_FENCE -> fence.switched(first == 1);
             case TAKE_PICTURES -> {
                 return takePicture();
             }
@@ -422,6 +433,15 @@ public final class SmallBoat implements AutoCloseable {
         }
     }
 
+    /** It says how far it is with a command, in percent. */
+    public synchronized void isAt(int command, int percent) {
+        send(CommandAck.builder()
+                .command(EnumValue.create(MavCmd.class, command))
+                .result(MavResult.MAV_RESULT_IN_PROGRESS)
+                .progress(percent)
+                .build());
+    }
+
     /** Its answers to commands of a number are under way from now on, and arrive together once this ends. */
     public synchronized void keepAnswers(boolean now, int command) {
         keptCommand = now ? command : 0;
@@ -443,6 +463,7 @@ public final class SmallBoat implements AutoCloseable {
             return;
         }
         bootMs += STEP_MS;
+        fence.enable(parameters.value("FENCE_ENABLE"));
         fence.tick(bootMs);
         mission.question().ifPresent(this::send);
         boolean beginsAgain = mission.takeChange() && armed && mode == SmallBoatMotion.AUTO;
@@ -461,7 +482,7 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private SmallBoatReports.State state() {
-        return new SmallBoatReports.State(armed, mode, failsafe, fence.isOutside(), ownMs(), motion, mission);
+        return new SmallBoatReports.State(armed, mode, failsafe, fence, ownMs(), motion, mission);
     }
 
     private void reached(int item) {

@@ -16,6 +16,7 @@ public final class SmallBoatFaults {
     private int answers = Integer.MAX_VALUE;
     private int lackedCommand = -1;
     private boolean ignoresOrders;
+    private int ignoredNumber; // 0 for none
     private int ignored;
 
     SmallBoatFaults() {}
@@ -116,6 +117,17 @@ public final class SmallBoatFaults {
     synchronized boolean isIgnoringOrder() {
         ignored += ignoresOrders ? 1 : 0;
         return ignoresOrders;
+    }
+
+    /** It neither carries out nor answers commands of a number from now on, or ignores none where it is 0. */
+    public synchronized void ignoresCommand(int number) {
+        ignoredNumber = number;
+    }
+
+    synchronized boolean isIgnoring(int command) {
+        boolean so = command == ignoredNumber;
+        ignored += so ? 1 : 0;
+        return so;
     }
 
     /** How many orders it has ignored. */

@@ -53,7 +53,7 @@ public final class SmallBoatReports {
             boolean armed,
             int mode,
             boolean failsafe,
-            boolean outsideFence,
+            SmallVehicleFence fence,
             long bootMs,
             SmallBoatMotion motion,
             SmallBoatMission mission) {}
@@ -154,18 +154,22 @@ public final class SmallBoatReports {
         if (hasPosition()) {
             sendPosition(now);
         }
-        EnumValue<MavSysStatusSensor> battery = EnumValue.of(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY);
+        int battery =
+                EnumValue.of(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY).value();
+        int present = battery | now.fence().present();
         beatsLeft = Math.max(0, beatsLeft - 1);
         send.accept(SysStatus.builder()
-                .onboardControlSensorsPresent(battery)
-                .onboardControlSensorsEnabled(battery)
-                .onboardControlSensorsHealth(batteryFails ? EnumValue.create(0) : battery)
+                .onboardControlSensorsPresent(EnumValue.create(present))
+                .onboardControlSensorsEnabled(
+                        EnumValue.create(battery | now.fence().enabled()))
+                .onboardControlSensorsHealth(EnumValue.create(batteryFails ? present & ~battery : present))
                 .voltageBattery(12_600)
                 .batteryRemaining(charge)
                 .build());
         send.accept(EkfStatusReport.builder().flags(EnumValue.create(filter)).build());
-        send.accept(
-                FenceStatus.builder().breachStatus(now.outsideFence() ? 1 : 0).build());
+        send.accept(FenceStatus.builder()
+                .breachStatus(now.fence().isOutside() ? 1 : 0)
+                .build());
         send.accept(MissionCurrent.builder()
                 .seq(now.mission().current())
                 .total(now.mission().total())

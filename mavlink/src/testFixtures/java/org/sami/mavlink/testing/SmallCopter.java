@@ -43,12 +43,14 @@ public final class SmallCopter implements AutoCloseable {
     private static final int SET_MODE = 176;
     private static final int REPOSITION = 192;
     private static final int CHANGE_SPEED = 178;
+    private static final int SWITCH_FENCE = 207;
     private static final int SET_CURRENT = 224;
     private static final int MISSION_START = 300;
     private static final int ARM = 400;
     private static final int REQUEST_MESSAGE = 512;
     private static final int AUTOPILOT_VERSION = 148;
     private static final double FORCED = 21_196;
+    private static final float CHANGE_MODE = 1;
 
     private final SmallVehicleLink link;
     private final SmallBoatNumber number;
@@ -67,6 +69,8 @@ public final class SmallCopter implements AutoCloseable {
     private boolean fell;
     private int armings;
     private int takeOffs; // in GUIDED
+    private int takenAt; // a command; 0 for none
+    private int takenInto;
     private boolean takesOff = true; // where it is asked to
     private boolean answersTakeOffs = true;
     private Optional<Target> target = Optional.empty(); // in GUIDED
@@ -193,7 +197,29 @@ public final class SmallCopter implements AutoCloseable {
         return parameters.value(name);
     }
 
+    /** At the next command of a number its pilot takes it, and does so before it carries that out or answers. */
+    public synchronized void takenByPilotAt(int command, int newMode) {
+        takenAt = command;
+        takenInto = newMode;
+    }
+
     private synchronized void take(Object message) {
+        if (takenAt != 0 && takenAt == number(message)) {
+            takenAt = 0;
+            takenByPilot(takenInto);
+        } else {
+            carryOut(message);
+        }
+    }
+
+    private static int number(Object message) {
+        if (message instanceof CommandLong command) {
+            return command.command().value();
+        }
+        return message instanceof CommandInt command ? command.command().value() : 0;
+    }
+
+    private void carryOut(Object message) {
         if (message instanceof CommandLong command) {
             int number = command.command().value();
             boolean done = number == TAKE_OFF
@@ -203,7 +229,7 @@ public final class SmallCopter implements AutoCloseable {
                 answer(number, done);
             }
         } else if (message instanceof CommandInt command && command.command().value() == REPOSITION) {
-            boolean done = flight.isInTheAir();
+            boolean done = flight.isInTheAir() && (mode == GUIDED || command.param2() == CHANGE_MODE);
             if (done) {
                 mode = GUIDED;
                 target = Optional.of(new Target(Optional.of(new int[] {command.x(), command.y()}), command.z()));
@@ -258,6 +284,7 @@ public final class SmallCopter implements AutoCloseable {
             case MISSION_START -> started = true;
             case SET_CURRENT -> mission.setCurrent((int) first);
             case CHANGE_SPEED -> flight.motion().speed(second);
+            case SWITCH_FENCE -> fence.switched(first == 1);
             default -> {
                 // it reports what it reports
             }
@@ -288,6 +315,7 @@ public final class SmallCopter implements AutoCloseable {
 
     private synchronized void step() {
         bootMs += STEP_MS;
+        fence.enable(parameters.value("FENCE_ENABLE"));
         fence.tick(bootMs);
         mission.question().ifPresent(this::send);
         if (armed && mode == GUIDED) {
@@ -333,8 +361,13 @@ public final class SmallCopter implements AutoCloseable {
                 .vx(speed())
                 .hdg(9_000)
                 .build());
-        link.send(
-                SysStatus.builder().voltageBattery(12_600).batteryRemaining(87).build());
+        link.send(SysStatus.builder()
+                .onboardControlSensorsPresent(EnumValue.create(fence.present()))
+                .onboardControlSensorsEnabled(EnumValue.create(fence.enabled()))
+                .onboardControlSensorsHealth(EnumValue.create(fence.present()))
+                .voltageBattery(12_600)
+                .batteryRemaining(87)
+                .build());
         link.send(EkfStatusReport.builder().flags(EnumValue.create(LOCATED)).build());
         link.send(MissionCurrent.builder()
                 .seq(mission.current())

@@ -1,6 +1,7 @@
 package org.sami.mavlink.testing;
 
 import io.dronefleet.mavlink.common.MavMissionType;
+import io.dronefleet.mavlink.common.MavSysStatusSensor;
 import io.dronefleet.mavlink.common.MissionClearAll;
 import io.dronefleet.mavlink.common.MissionCount;
 import io.dronefleet.mavlink.common.MissionItemInt;
@@ -19,12 +20,16 @@ import org.sami.mavlink.vehicle.VehicleId;
 /** The fence that a small vehicle holds, and its transfer. Safe for use by several threads. */
 public final class SmallVehicleFence {
     private static final int CORNERS = 84;
+    private static final int BIT =
+            EnumValue.of(MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE).value();
     private static final VehicleId STATION = new VehicleId(255, 190);
 
     private final OnboardLists lists;
     private int uploads;
     private int refusedCorner = -1;
     private boolean outside;
+    private boolean on; // in force
+    private double enable; // FENCE_ENABLE
 
     /** No fence. */
     SmallVehicleFence(Consumer<Object> send) {
@@ -54,6 +59,34 @@ public final class SmallVehicleFence {
     /** It reports that it is outside of its fence from now on, or no longer. */
     public synchronized void outside(boolean now) {
         outside = now;
+    }
+
+    /** Somebody puts it in force, or out of force, by a command or a switch of the radio control; {@code FENCE_ENABLE} stays as it is. */
+    public synchronized void switched(boolean now) {
+        on = now;
+    }
+
+    /** Whether it is in force. */
+    public synchronized boolean isOn() {
+        return on;
+    }
+
+    /** Its parameter is so: another value than before switches it. */
+    synchronized void enable(double value) {
+        if (Double.compare(enable, value) != 0) {
+            enable = value;
+            on = value > 0;
+        }
+    }
+
+    /** The bit of a fence that it holds, as it is reported. */
+    synchronized int present() {
+        return items().isEmpty() ? 0 : BIT;
+    }
+
+    /** The same of one that is in force. */
+    synchronized int enabled() {
+        return on ? present() : 0;
     }
 
     synchronized boolean isOutside() {
