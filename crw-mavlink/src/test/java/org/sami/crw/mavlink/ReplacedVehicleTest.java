@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -15,6 +16,8 @@ import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.SettingsReport;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.Telemetry;
+import org.sami.boat.link.UploadWaypoints;
+import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.proxy.command.FollowPath;
@@ -32,6 +35,11 @@ class ReplacedVehicleTest {
     private static final double TIMES = 10;
     private static final double HEIGHT_M = 20;
     private static final List<GeoPoint> PATH = List.of(new GeoPoint(LAT, LON, 0), new GeoPoint(45.8, LON, 0));
+
+    private static final int ANSWERS = 5; // so that a mission is read, and begun to be sent
+    private static final List<Waypoint> MANY = IntStream.range(0, 40)
+            .mapToObj(i -> new Waypoint(LAT + i * 1e-4, LON, 1))
+            .toList();
 
     @TempDir
     private Path folder;
@@ -93,6 +101,23 @@ class ReplacedVehicleTest {
             assertThat(copter.mode()).isEqualTo(SmallCopter.BRAKE);
             assertThat(copter.isArmed()).isTrue();
             assertThat(copter.fell()).isFalse();
+        }
+    }
+
+    @Test
+    void missionThatIsBeingSentToABoatDoesNotReachACopterWithItsNumber() throws Exception {
+        boat.faults().answersAboutMissions(ANSWERS);
+        client.say(new UploadWaypoints("upload", "path", MANY));
+        Await.until("it is under way", () -> boat.faults().answersLeft() == 0);
+        assertThat(boat.mission().uploads()).isZero();
+        switchBoatOff();
+        try (SmallCopter copter = copterInTheAir()) {
+            client.untilAlarm("mav7 was a boat, and a copter answers with its number now");
+
+            Await.holds(
+                    "it is sent nothing",
+                    3,
+                    () -> copter.mission().size() == 0 && copter.mission().uploads() == 0);
         }
     }
 

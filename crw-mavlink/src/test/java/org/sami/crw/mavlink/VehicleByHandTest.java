@@ -18,6 +18,8 @@ import org.sami.mavlink.testing.SmallBoat;
 /** A vehicle that is to be driven by hand and does not let itself: the operator is told why. */
 @Timeout(300)
 class VehicleByHandTest {
+    private static final int ARM = 400;
+    private static final int HOLD = 4;
     private static final String NOT_DRIVEN = "mav5 is not driven by hand: ";
 
     @TempDir
@@ -64,6 +66,23 @@ class VehicleByHandTest {
         client.say(new Teleoperate(0.5, 0));
 
         client.untilAlarm(NOT_DRIVEN + "vehicle 5 has not come into mode MANUAL, armed, within 2 s");
+    }
+
+    /** The order to arm is sent again until it is answered. */
+    @Test
+    void vehicleWhoseDriverLeavesAsItIsToBeArmedIsNotArmed() {
+        client.slow(true); // the order is sent again once this ends
+        boat.faults().ignoresCommand(ARM);
+        client.say(new Teleoperate(0.5, 0));
+        Await.until("it is ordered to be armed", () -> boat.faults().ignoredOrders() > 0);
+        boat.faults().ignoresCommand(0);
+
+        client.leave();
+        Await.until("it is stopped", () -> boat.mode() == HOLD);
+        client.slow(false);
+
+        Await.holds("it stays disarmed", 4, () -> !boat.isArmed());
+        assertThat(boat.armings()).isZero();
     }
 
     @Test

@@ -121,6 +121,30 @@ class VehicleFenceStepsTest {
     }
 
     @Test
+    void fenceThatSomebodyElseChangesIsSetAgainOnceItIsCommandedFromHere() {
+        VehicleFence fence = session(List.of());
+        fence.want(FENCE);
+        fence.tick(0, true);
+        until("it is set", () -> boat.parameter(ENABLE) == 1 && work.isEmpty() && !kept.isEmpty());
+        base.parameter(ID, ENABLE).join(); // parameters are read one after the other
+        until("that is seen", work::isEmpty);
+        fence.tick(1, false);
+
+        boat.parameter(ENABLE, 0);
+        fence.reported(ENABLE, 0);
+        fence.tick(2, false);
+
+        assertThat(alarms)
+                .containsExactly("the fence of vehicle 5 was changed by somebody else (FENCE_ENABLE 0, before 1);"
+                        + " that of this session is set again once it is commanded from here");
+        assertThat(boat.parameter(ENABLE)).isZero();
+
+        fence.tick(3, true);
+        until("it is set again", () -> boat.parameter(ENABLE) == 1);
+        assertThat(alarms).hasSize(1);
+    }
+
+    @Test
     void areasThatAreGivenUpWhileItIsReadAreNotSent() {
         holds(OTHER);
         VehicleFence fence = session(FENCE);
