@@ -170,6 +170,7 @@ class VehicleFenceTest {
         client.keepTo(Optional.of(WATER), List.of(ROCK));
         isInForce();
         Await.until("it is on", () -> boat.fence().isOn());
+        Await.holds("it has said so again and again", 2, () -> boat.fence().isOn());
 
         boat.fence().switched(false);
 

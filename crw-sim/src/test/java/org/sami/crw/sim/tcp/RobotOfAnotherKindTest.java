@@ -8,6 +8,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -42,8 +43,12 @@ class RobotOfAnotherKindTest {
     private static final String WHY = "kite is a copter, and this session drives boats";
 
     private static BoatOnTcp copter() throws IOException {
+        return kite(RobotKind.COPTER, ANY_PORT);
+    }
+
+    private static BoatOnTcp kite(RobotKind kind, InetSocketAddress at) throws IOException {
         return new BoatOnTcp(
-                BoatSettings.of("kite", ANY_PORT, GeoPoint.of(45.4, 10.9), 1).of(RobotKind.COPTER),
+                BoatSettings.of("kite", at, GeoPoint.of(45.4, 10.9), 1).of(kind),
                 new SteadyClock(ProcessClock::ms),
                 TcpServerListener.NONE);
     }
@@ -81,6 +86,45 @@ class RobotOfAnotherKindTest {
                             .join()
                             .equals(WHY));
         }
+    }
+
+    @Test
+    void sessionSaysItAlsoOfOneThatComesLaterWithTheNameOfOneThatItCommands() throws Exception {
+        Project project = TestRuns.LIBRARY.projectOf("clv").orElseThrow();
+        List<String> messages = new CopyOnWriteArrayList<>();
+        SessionRuntime runtime = SessionRuntime.RealTime.named("base", new SteadyClock(ProcessClock::ms));
+        BoatOnTcp boat = kite(RobotKind.BOAT, ANY_PORT);
+        try (Session session = Session.open(
+                SessionSetup.of(TestRuns.LIBRARY.vocabulary(), project).with(runtime))) {
+            session.addListener(new SessionListener() {
+                @Override
+                public void onNote(SessionNote note) {
+                    messages.add(note.text());
+                }
+            });
+            session.begin();
+            session.fleet().connect(address(boat));
+            Await.until("the boat says where it is", () -> isPlaced(session));
+            boat.close();
+
+            try (BoatOnTcp kite = kite(RobotKind.COPTER, boat.address())) {
+                Await.until(
+                        "it is named",
+                        () -> messages.stream().anyMatch(text -> text.contains(WHY + ": no mission can command it")));
+                assertThat(kite.address()).isEqualTo(boat.address());
+            }
+        } finally {
+            boat.close();
+        }
+    }
+
+    private static boolean isPlaced(Session session) {
+        return session.fleet()
+                .ask(boats -> boats.find("kite")
+                        .filter(boat -> boat.status().pose().isPresent())
+                        .isPresent())
+                .toCompletableFuture()
+                .join();
     }
 
     @Test
