@@ -4,6 +4,7 @@ import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.Upload;
 import org.sami.crw.proxy.link.LeftOut;
@@ -87,8 +88,12 @@ public sealed interface FleetEvent {
     /** The person gave the boat back; its commands go on. */
     record HandedBack(String boat) implements FleetEvent {}
 
-    /** This base commands the boat from now on, or does so no longer. */
-    record CommanderChanged(String boat, boolean commands) implements FleetEvent {}
+    /**
+     * This base commands the boat from now on, or does so no longer.
+     *
+     * @param controller who has taken it and is no base, as the boat names them: a pilot, another ground station or its own failsafe; empty for a base
+     */
+    record CommanderChanged(String boat, boolean commands, Optional<String> controller) implements FleetEvent {}
 
     /** Another client wishes to command the boat. */
     record CommandAsked(String boat, String client) implements FleetEvent {}

@@ -139,8 +139,7 @@ final class BoatCondition {
                     Cause.COMMANDED_ELSEWHERE,
                     link.replacedBy()
                             .map(other -> "this base was replaced by " + other.clientId())
-                            .or(() -> link.holder()
-                                    .filter(who -> isStopOverridden())
+                            .or(() -> (isStopOverridden() ? link.holder() : link.controller())
                                     .map(who -> who + " commands the boat"))
                             .orElse("another client commands the boat"));
         } else if (fleetStopped) {

@@ -42,6 +42,8 @@ final class BoatExplainer {
     /** A boat that is faster is never said not to move, in m/s. */
     private static final double RESTS_MPS = 0.3;
 
+    private static final long SILENT_S = 10; // boats report where they are each second or more often
+
     /** Reported heights up to this, in m, are taken for the ground. */
     private static final double GROUND_M = 0.5;
 
@@ -266,6 +268,20 @@ final class BoatExplainer {
     }
 
     private String moves() {
+        return silentS()
+                .map(seconds -> "has not said for " + seconds + " s where it is")
+                .orElseGet(this::movesByItsWords);
+    }
+
+    /** For how long a boat that is linked has said nothing of where it is, as one without a position; empty for a few seconds. */
+    private Optional<Long> silentS() {
+        return condition
+                .sighting
+                .map(seen -> (condition.nowMs - seen.atMs()) / 1000)
+                .filter(seconds -> seconds >= SILENT_S && condition.status.link() == LinkState.LINKED);
+    }
+
+    private String movesByItsWords() {
         return condition
                 .status
                 .pose()

@@ -101,7 +101,7 @@ public final class HandOver {
         boolean commanding = link.isCommanding();
         if (commanding != reportedCommanding) {
             reportedCommanding = commanding;
-            announcements.add(new FleetEvent.CommanderChanged(boatId, commanding));
+            announcements.add(new FleetEvent.CommanderChanged(boatId, commanding, link.controller()));
         }
     }
 

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
+import org.sami.boat.link.CommandEpoch;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.Goodbye;
 import org.sami.boat.link.LostLinkAction;
@@ -153,6 +154,28 @@ class ExplainTest {
         boat.says(new Telemetry(45, 10, 0, 0.3, 90, BoatMode.TELEOPERATION, 2));
 
         assertThat(boat.proxy.explain().text()).startsWith("boat1 does not move: another client commands the boat");
+    }
+
+    /** As a vehicle whose satellites are gone: it reports no position then. */
+    @Test
+    void vehicleThatItsFailsafeHasTakenIsNotSaidToMoveByAnOldSpeedForAnotherClient() {
+        boat.says(new Telemetry(45, 10, 0, 1.5, 90, BoatMode.HOLD, 1));
+        boat.says(new Welcome(
+                "boat1",
+                "b1",
+                Role.OBSERVER,
+                "",
+                "",
+                false,
+                Optional.of(new CommandEpoch(2, "", "its own failsafe (HOLD)"))));
+
+        assertThat(boat.proxy.explain().text())
+                .isEqualTo("boat1 moves at 1.5 m/s: its own failsafe (HOLD) commands the boat");
+
+        boat.alive(12);
+
+        assertThat(boat.proxy.explain().text())
+                .isEqualTo("boat1 has not said for 12 s where it is: its own failsafe (HOLD) commands the boat");
     }
 
     @Test

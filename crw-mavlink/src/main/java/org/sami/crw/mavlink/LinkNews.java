@@ -22,7 +22,11 @@ record LinkNews(Priority weight, String text) {
                 now.links().stream().skip(1).map(link -> new VehicleEvent.LinkJoined(now.id(), link));
         Stream<VehicleEvent> others =
                 now.others().stream().map(link -> new VehicleEvent.OtherVehicle(now.id(), link, used));
-        return Stream.concat(further, others)
+        Stream<VehicleEvent> shared = Stream.of(now)
+                .filter(seen -> seen.health().sharesId())
+                .map(seen -> new VehicleEvent.SharedId(seen.id(), used));
+        return Stream.of(further, others, shared)
+                .flatMap(events -> events)
                 .flatMap(event -> of(vehicle, event).stream())
                 .toList();
     }
@@ -43,6 +47,13 @@ record LinkNews(Priority weight, String text) {
                     Priority.HIGH,
                     "another vehicle has the id of " + vehicle + ": one is heard on " + other.own() + ", the other on "
                             + other.link() + ", which is not commanded. Give each a system id of its own"));
+        }
+        if (event instanceof VehicleEvent.SharedId shared) {
+            return Optional.of(new LinkNews(
+                    Priority.CRITICAL,
+                    "two vehicles answer as " + vehicle + " on " + shared.link() + ": as long as they do, nothing but a"
+                            + " stop is sent there. Give each a system id of its own (ArduPilot: MAV_SYSID or"
+                            + " SYSID_THISMAV)"));
         }
         return Optional.empty();
     }

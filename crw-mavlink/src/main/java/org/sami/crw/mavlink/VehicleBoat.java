@@ -341,7 +341,8 @@ final class VehicleBoat implements BaseSession.Boat {
             camera.taken(picture);
         } else if (event instanceof VehicleEvent.LinkJoined
                 || event instanceof VehicleEvent.LinkChanged
-                || event instanceof VehicleEvent.OtherVehicle) {
+                || event instanceof VehicleEvent.OtherVehicle
+                || event instanceof VehicleEvent.SharedId) {
             LinkNews.of(name, event).ifPresent(news -> session.ifPresent(told -> told.say(news.weight(), news.text())));
         } else if (event instanceof VehicleEvent.TargetTracked target) {
             targets.report(vehicle, target, atMs).ifPresent(this::broadcast);

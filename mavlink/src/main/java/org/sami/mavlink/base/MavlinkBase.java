@@ -157,7 +157,7 @@ public final class MavlinkBase implements AutoCloseable {
 
     /** Sets a parameter; the result is what the vehicle holds then, which is equal. Fails as {@link #held} does. */
     public CompletableFuture<Double> setParameter(VehicleId vehicle, String name, double value) {
-        return on(() -> requests.parameters(vehicle).set(name, value, nowMs.getAsLong()));
+        return on(() -> requests.setParameter(vehicle, name, value));
     }
 
     private <T> CompletableFuture<T> on(Supplier<CompletableFuture<T>> what) {

@@ -73,10 +73,22 @@ final class VehicleRequests {
 
     /** Replaces a list that a vehicle holds, in steps where there are several, after the transfers that were asked for before, and reads it back. */
     CompletableFuture<List<MissionItem>> replace(VehicleId vehicle, HeldKind kind, List<List<MissionItem>> lists) {
+        if (table.isTwin(vehicle)) {
+            return refused(vehicle);
+        }
         CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
         of(vehicle).lists().replace(kind, lists, nowMs.getAsLong(), result);
         moveLists();
         return result;
+    }
+
+    /** Sets a parameter of a vehicle; the result is what it holds then. */
+    CompletableFuture<Double> setParameter(VehicleId vehicle, String name, double value) {
+        return table.isTwin(vehicle) ? refused(vehicle) : parameters(vehicle).set(name, value, nowMs.getAsLong());
+    }
+
+    private static <T> CompletableFuture<T> refused(VehicleId vehicle) {
+        return CompletableFuture.failedFuture(new IllegalStateException(CommandOutcome.ambiguous(vehicle)));
     }
 
     /** The parameters of a vehicle. */
@@ -86,6 +98,9 @@ final class VehicleRequests {
 
     /** Gives a vehicle the key of this base; completes once the vehicle signs with it. Fails where this base has none. */
     CompletableFuture<Void> giveKey(VehicleId vehicle) {
+        if (table.isTwin(vehicle)) {
+            return refused(vehicle);
+        }
         return options.signing()
                 .map(signing -> keys.computeIfAbsent(
                                 vehicle, id -> new KeyGiving(id, signing, message -> send.accept(id, message)))
@@ -94,7 +109,7 @@ final class VehicleRequests {
                         new IllegalStateException("this base has no key that it could give")));
     }
 
-    /** Gives a vehicle a command, and again until it answers. Where two vehicles have the id, none but disarming is given. */
+    /** Gives a vehicle a command, and again until it answers. Where two vehicles have the id, none but disarming is given, and no list, parameter or key is changed. */
     CompletableFuture<CommandOutcome> command(VehicleId vehicle, VehicleCommand command, IntConsumer progress) {
         CompletableFuture<CommandOutcome> result = new CompletableFuture<>();
         if (table.isTwin(vehicle) && !command.isDisarming()) {

@@ -16,12 +16,13 @@ public record CommandOutcome(VehicleId vehicle, VehicleCommand command, CommandV
 
     /** Two vehicles have the id: the command was not given, as both would obey. */
     public static CommandOutcome ambiguous(VehicleId vehicle, VehicleCommand command) {
-        return new CommandOutcome(
-                vehicle,
-                command,
-                CommandVerdict.DENIED,
-                List.of("two vehicles have the id " + vehicle
-                        + "; give one of them another (ArduPilot: MAV_SYSID or SYSID_THISMAV)"));
+        return new CommandOutcome(vehicle, command, CommandVerdict.DENIED, List.of(ambiguous(vehicle)));
+    }
+
+    /** Why a vehicle is asked for nothing that changes it, where two have its id. */
+    public static String ambiguous(VehicleId vehicle) {
+        return "two vehicles have the id " + vehicle
+                + "; give one of them another (ArduPilot: MAV_SYSID or SYSID_THISMAV)";
     }
 
     /** Whether the vehicle carries it out. */

@@ -92,4 +92,7 @@ public sealed interface VehicleEvent {
 
     /** Another vehicle has its id, on a link on which this vehicle is not heard; {@code own} is one on which it is. */
     record OtherVehicle(VehicleId vehicle, MavlinkAddress link, MavlinkAddress own) implements VehicleEvent {}
+
+    /** Another vehicle has its id on the same link: which of both has sent a message cannot be told. */
+    record SharedId(VehicleId vehicle, MavlinkAddress link) implements VehicleEvent {}
 }

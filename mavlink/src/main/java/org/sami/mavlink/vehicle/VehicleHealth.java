@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.sami.mavlink.address.MavlinkAddress;
 
 /**
  * What a vehicle says is wrong with it.
@@ -20,6 +21,8 @@ import java.util.Optional;
  */
 public record VehicleHealth(
         boolean mayArm, boolean failsafe, boolean outsideFence, Optional<Boolean> fenceOn, List<String> failing) {
+    private static final String ANOTHER = "another vehicle has the id ";
+    private static final String TOO = " too";
     private static final String PREFIX = "MAV_SYS_STATUS_";
     private static final String SENSOR = "SENSOR_";
     private static final int CHECKS = bit(MavSysStatusSensor.MAV_SYS_STATUS_PREARM_CHECK);
@@ -68,7 +71,20 @@ public record VehicleHealth(
                 .replace('_', ' ');
     }
 
-    VehicleHealth with(String fault) {
+    /** Whether two vehicles on one link have its id, so that which of both has sent a message cannot be told. */
+    public boolean sharesId() {
+        return failing.stream().anyMatch(fault -> fault.startsWith(ANOTHER) && fault.endsWith(TOO));
+    }
+
+    VehicleHealth withSharedId(VehicleId id) {
+        return with(ANOTHER + id + TOO);
+    }
+
+    VehicleHealth withOther(VehicleId id, MavlinkAddress link) {
+        return with(ANOTHER + id + " on " + link);
+    }
+
+    private VehicleHealth with(String fault) {
         List<String> more = new ArrayList<>(failing);
         more.add(fault);
         return new VehicleHealth(mayArm, failsafe, outsideFence, fenceOn, more);

@@ -71,6 +71,7 @@ final class VehicleRecord {
     private boolean beaten;
     private VehicleKind kind = VehicleKind.OTHER; // for which it is taken
     private Optional<String> number = Optional.empty(); // of the autopilot for which it is taken
+    private boolean toldTwin; // that two vehicles have the id
     private boolean numberSaid; // since it was silent or has started again
     private long mayFlyMs = Long.MIN_VALUE / 2; // when it last said that it is something that may fly
     private long beatMs;
@@ -109,6 +110,10 @@ final class VehicleRecord {
         } else if (links.isNews(from.link(), nowMs)) {
             take(payload, nowMs, events);
         }
+        if (isTwin() && !toldTwin) {
+            events.add(new VehicleEvent.SharedId(id, from.link()));
+        }
+        toldTwin = isTwin();
         if (payload instanceof Heartbeat || payload instanceof AutopilotVersion) {
             compare(events);
         }
@@ -348,9 +353,9 @@ final class VehicleRecord {
     }
 
     private VehicleHealth healthNow() {
-        VehicleHealth now = isTwin() ? health.with("another vehicle has the id " + id + " too") : health;
+        VehicleHealth now = isTwin() ? health.withSharedId(id) : health;
         for (MavlinkAddress link : own.others()) {
-            now = now.with("another vehicle has the id " + id + " on " + link);
+            now = now.withOther(id, link);
         }
         return now;
     }

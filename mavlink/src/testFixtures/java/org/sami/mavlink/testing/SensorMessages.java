@@ -3,6 +3,7 @@ package org.sami.mavlink.testing;
 import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
 import io.dronefleet.mavlink.common.CameraTrackingGeoStatus;
 import io.dronefleet.mavlink.common.CameraTrackingStatusFlags;
+import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.NamedValueFloat;
 import io.dronefleet.mavlink.common.RadioStatus;
 
@@ -19,6 +20,15 @@ public final class SensorMessages {
     public static Object target(double latDeg, double lonDeg) {
         return CameraTrackingGeoStatus.builder()
                 .trackingStatus(CameraTrackingStatusFlags.CAMERA_TRACKING_STATUS_FLAGS_ACTIVE)
+                .lat((int) Math.round(latDeg * 1e7))
+                .lon((int) Math.round(lonDeg * 1e7))
+                .build();
+    }
+
+    /** Where a vehicle is, in degrees, so many milliseconds after its autopilot's start. */
+    public static Object position(double latDeg, double lonDeg, int sinceBootMs) {
+        return GlobalPositionInt.builder()
+                .timeBootMs(sinceBootMs)
                 .lat((int) Math.round(latDeg * 1e7))
                 .lon((int) Math.round(lonDeg * 1e7))
                 .build();

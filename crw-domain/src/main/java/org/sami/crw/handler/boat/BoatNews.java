@@ -65,7 +65,7 @@ public final class BoatNews implements Consumer<FleetEvent> {
         } else if (event instanceof FleetEvent.Restarted restarted) {
             onRestarted(restarted.status());
         } else if (event instanceof FleetEvent.CommanderChanged commander) {
-            onCommanding(commander.boat(), commander.commands());
+            onCommanding(commander);
         } else if (event instanceof FleetEvent.PlaceHeld held) {
             onHoldsPlace(held.boat(), held.givenUp());
         } else if (event instanceof FleetEvent.Refused refused) {
@@ -144,10 +144,14 @@ public final class BoatNews implements Consumer<FleetEvent> {
                 status.boatId() + " has started anew; it does not move until it is allowed to");
     }
 
-    private void onCommanding(String boatId, boolean commands) {
-        if (!commands) {
+    /** Of a vehicle that nobody of a base has taken, its gateway tells who has. */
+    private void onCommanding(FleetEvent.CommanderChanged change) {
+        String boatId = change.boat();
+        if (!change.commands()) {
             observed.add(boatId);
-            tell(boatId, Priority.HIGH, "Another base commands " + boatId + " now; its commands wait");
+            if (change.controller().isEmpty()) {
+                tell(boatId, Priority.HIGH, "Another base commands " + boatId + " now; its commands wait");
+            }
         } else if (observed.remove(boatId)) {
             tell(boatId, Priority.LOW, "This base commands " + boatId + " again");
         }

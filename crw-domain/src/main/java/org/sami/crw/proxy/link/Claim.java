@@ -48,6 +48,11 @@ final class Claim {
         return Optional.of(newest.clientId()).filter(name -> !name.isEmpty());
     }
 
+    /** Who was appointed last that is no base: a pilot, another ground station or a failsafe of an autopilot, as the boat names them. */
+    Optional<String> controller() {
+        return holder().filter(name -> newest.session().isEmpty());
+    }
+
     /** Whether the boat numbers its commanders; boats of the link of before do not. */
     boolean isNumbered() {
         return numbered;

@@ -155,6 +155,11 @@ public final class ProxyLink {
         return isCommanding() ? Optional.empty() : claim.holder();
     }
 
+    /** Who has taken a vehicle and is no base: a pilot, another ground station or its own failsafe, as it names them; empty while this base commands it. */
+    public Optional<String> controller() {
+        return isCommanding() ? Optional.empty() : claim.controller();
+    }
+
     /** Whether the boat refuses bases that were replaced, and obeys stops of all; boats of the link of before do not. */
     public boolean isNumbered() {
         return claim.isNumbered();

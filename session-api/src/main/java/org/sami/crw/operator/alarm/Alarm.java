@@ -49,7 +49,7 @@ public record Alarm(
         /** The boat was carried away from where it was left, or from the station that it is to keep. */
         DRIFT(Priority.HIGH, "Have it hold its place, send it home, or fetch it"),
         /** The link stands, and the boat has not said for a while where it is. */
-        STALE_POSE(Priority.MEDIUM, "Look at the position sensor of its phone; hold the boat meanwhile"),
+        STALE_POSE(Priority.MEDIUM, "Look at its GPS, or at its phone's; hold the boat meanwhile"),
         /** The boat says that it is where it cannot be. */
         POSITION_DOUBTFUL(Priority.HIGH, "Hold the boat until its position is sound"),
         /** The boat does not go where it says that it heads. */
