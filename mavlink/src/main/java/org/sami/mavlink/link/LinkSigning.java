@@ -28,7 +28,7 @@ public final class LinkSigning {
 
     /** What becomes of messages without a signature. */
     public enum Unsigned {
-        /** All are taken: while vehicles are given the key. */
+        /** All are taken, also those with the signature of another key, as of the one before: while vehicles are given the key. */
         TAKEN,
         /** Accepted from vehicles that have not signed with the key yet: some vehicles of the fleet may not have it. */
         TAKEN_UNTIL_SIGNED,
@@ -69,11 +69,16 @@ public final class LinkSigning {
                     : Optional.of(SignatureFault.UNSIGNED);
         }
         if (!packet.validateSignature(key.secret())) {
-            return Optional.of(SignatureFault.WRONG);
+            return unsigned == Unsigned.TAKEN ? Optional.empty() : Optional.of(SignatureFault.WRONG);
         }
         return faultOfTime(
                 new Stream(packet.getSignatureLinkId(), packet.getSystemId(), packet.getComponentId()),
                 packet.getSignatureTimestamp());
+    }
+
+    /** Whether a packet that was taken is signed with the key. */
+    boolean isOurs(MavlinkPacket packet) {
+        return isSigned(packet) && (unsigned != Unsigned.TAKEN || packet.validateSignature(key.secret()));
     }
 
     /** Whether a packet has a signature, right or wrong. */

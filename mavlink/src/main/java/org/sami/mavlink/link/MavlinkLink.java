@@ -292,7 +292,7 @@ public final class MavlinkLink implements AutoCloseable {
                 packet.getSystemId(),
                 packet.getComponentId(),
                 packet.getSequence(),
-                LinkSigning.isSigned(packet),
+                end.signing().map(signing -> signing.isOurs(packet)).orElseGet(() -> LinkSigning.isSigned(packet)),
                 payload);
     }
 

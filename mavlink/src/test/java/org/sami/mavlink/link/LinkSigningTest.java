@@ -87,12 +87,14 @@ class LinkSigningTest {
     }
 
     @Test
-    void whileKeysAreGivenUnsignedMessagesAreTaken() throws Exception {
+    void whileKeysAreGivenMessagesWithoutTheKeyAreTakenAndDoNotCountAsSigned() throws Exception {
         LinkSigning giving = new LinkSigning(OURS, () -> now, LinkSigning.Unsigned.TAKEN);
 
         assertThat(giving.fault(packet(unsigned(MissionCurrent.builder().seq(3).build()))))
                 .isEmpty();
-        assertThat(giving.fault(packet(signed(THEIRS, 0, NOW)))).contains(SignatureFault.WRONG);
+        assertThat(giving.fault(packet(signed(THEIRS, 0, NOW)))).isEmpty(); // the key before
+        assertThat(giving.isOurs(packet(signed(THEIRS, 0, NOW)))).isFalse();
+        assertThat(giving.isOurs(packet(signed(OURS, 0, NOW)))).isTrue();
     }
 
     @Test

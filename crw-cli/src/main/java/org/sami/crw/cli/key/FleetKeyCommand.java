@@ -50,11 +50,19 @@ final class FleetKeyCommand implements Callable<Integer> {
                     + MavlinkAddress.FORMS + ".")
     private List<String> give = new ArrayList<>();
 
+    @Option(
+            names = "--new",
+            description =
+                    "Make another key in place of the present one, as where a laptop that has it was lost. Vehicles"
+                            + " obey the old key until they are given the new one, over the cable of their first port.")
+    private boolean renewed;
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         List<MavlinkAddress> addresses =
                 UsageFault.of(() -> give.stream().map(AddressText::parse).toList());
-        SigningKey key = new SigningKey(keys.keys().makeFleetKey());
+        SigningKey key = new SigningKey(
+                renewed ? keys.keys().renewFleetKey() : keys.keys().makeFleetKey());
         PrintWriter out = spec.commandLine().getOut();
         out.println(key.fingerprint() + "  this fleet");
         out.flush();

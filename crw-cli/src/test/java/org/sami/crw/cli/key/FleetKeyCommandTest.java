@@ -49,6 +49,17 @@ class FleetKeyCommandTest {
     }
 
     @Test
+    void newKeyTakesThePlaceOfTheOneThatALostLaptopHas() {
+        String old = keys("fleet", folder).out();
+
+        CommandResult made = keys("fleet", folder, "--new");
+
+        assertThat(made.exitCode()).as(made.err()).isZero();
+        assertThat(made.out()).matches("[0-9a-f]{16}  this fleet\\R").isNotEqualTo(old);
+        assertThat(keys("fleet", folder).out()).isEqualTo(made.out());
+    }
+
+    @Test
     void vehicleThatDoesNotSignIsRefusedAndSaid() throws Exception {
         keys("fleet", folder);
         try (SmallVehicle vehicle = new SmallVehicle(7, 0, false)) {

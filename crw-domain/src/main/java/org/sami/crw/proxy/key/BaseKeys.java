@@ -93,9 +93,17 @@ public final class BaseKeys {
     public byte[] makeFleetKey() throws IOException {
         open(); // the folder, with the key of this base
         Optional<byte[]> present = fleetKey();
-        if (present.isPresent()) {
-            return present.get();
-        }
+        return present.isPresent() ? present.get() : renewFleetKey();
+    }
+
+    /**
+     * Makes another secret for the fleet in place of the present one, as where a laptop that has it was lost. Vehicles that have the present one obey it until they
+     * are given the new one.
+     *
+     * @throws IOException if it cannot be written
+     */
+    public byte[] renewFleetKey() throws IOException {
+        open(); // the folder, with the key of this base
         byte[] made = new byte[FLEET_KEY_BYTES];
         new SecureRandom().nextBytes(made);
         new KeyStoreFolder(folder).writeFleetKey(made);
