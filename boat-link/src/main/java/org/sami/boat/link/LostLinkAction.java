@@ -8,6 +8,6 @@ public enum LostLinkAction {
     RETURN,
     /** Go on with the waypoint list, if it is on one; otherwise as {@link #HOLD}. */
     CONTINUE,
-    /** Motors to zero. */
+    /** Motors to zero; what flies lands where it is. */
     DRIFT
 }

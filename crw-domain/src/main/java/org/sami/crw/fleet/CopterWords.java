@@ -33,7 +33,7 @@ final class CopterWords {
         put("back into its water", "back into its area");
         put("outside of their water", "outside of their area");
         put("stop their motors and drift", "stop and hover");
-        put("stops its motors and drifts", "stops and hovers");
+        put("stops its motors and drifts", "lands where it is"); // without a link
         put("its motors are stopped", "it is stopped");
         put("turn the hull", "turn it");
         put("Before launch", "Before take-off");

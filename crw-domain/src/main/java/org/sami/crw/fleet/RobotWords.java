@@ -16,7 +16,7 @@ final class RobotWords {
         put("back into its water", "back into its area");
         put("outside of their water", "outside of their area");
         put("stop their motors and drift", "stop");
-        put("stops its motors and drifts", "stops");
+        put("stops its motors and drifts", "stops its motors and drifts, or lands if it flies"); // without a link
         put("its motors are stopped", "it is stopped");
         put("turn the hull", "turn it");
         put("where boats lay", "where robots stood");

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.proxy.explanation.LostLinkWords;
 
 class RobotKindTest {
     @ParameterizedTest
@@ -49,6 +51,16 @@ class RobotKindTest {
         assertThat(RobotKind.BOAT.unfit(false)).isEmpty();
         assertThat(RobotKind.ROBOT.unfit(false)).isEmpty();
         assertThat(RobotKind.ROBOT.unfit(true)).isEmpty();
+    }
+
+    @Test
+    void lostLinkActionWithoutMotorsIsALandingForWhatFlies() {
+        String words = "without a link it " + LostLinkWords.of(LostLinkAction.DRIFT);
+
+        assertThat(RobotKind.BOAT.say(words)).isEqualTo("without a link it stops its motors and drifts");
+        assertThat(RobotKind.COPTER.say(words)).isEqualTo("without a link it lands where it is");
+        assertThat(RobotKind.ROBOT.say(words))
+                .isEqualTo("without a link it stops its motors and drifts, or lands if it flies");
     }
 
     @Test

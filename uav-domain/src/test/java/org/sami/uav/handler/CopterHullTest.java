@@ -96,7 +96,44 @@ class CopterHullTest {
         assertThat(copter.hull().altM()).hasValue(0);
     }
 
+    @Test
+    void landsWhereItIsWhenItsLinkIsLostAndItIsToTurnItsMotorsOff() {
+        VirtualClock clock = new VirtualClock();
+        SimulatedBoat copter = fleet(clock, LostLinkAction.DRIFT).boats().get(0);
+        GeoPoint home = copter.position();
+        fly(copter, at(Geodesy.offset(home, 0, 300), 25));
+        clock.runUntil(40_000);
+        assertThat(copter.hull().altM().orElseThrow()).isCloseTo(25, within(0.6));
+
+        copter.toBoat().setCut(true);
+        copter.toBase().setCut(true);
+        clock.runUntil(100_000);
+
+        assertThat(copter.hull().altM()).hasValue(0);
+        assertThat(Geodesy.distanceM(copter.position(), home)).isGreaterThan(100);
+    }
+
+    @Test
+    void fleetStopKeepsItInTheAirWhenItsLinkIsLostThen() {
+        VirtualClock clock = new VirtualClock();
+        SimulatedBoat copter = fleet(clock, LostLinkAction.DRIFT).boats().get(0);
+        fly(copter, at(Geodesy.offset(copter.position(), 0, 300), 25));
+        clock.runUntil(40_000);
+        copter.proxy().fleetStop();
+        clock.runUntil(42_000);
+
+        copter.toBoat().setCut(true);
+        copter.toBase().setCut(true);
+        clock.runUntil(100_000);
+
+        assertThat(copter.hull().altM().orElseThrow()).isCloseTo(25, within(0.6));
+    }
+
     private static SimulatedFleet fleet(VirtualClock clock) {
+        return fleet(clock, LostLinkAction.RETURN);
+    }
+
+    private static SimulatedFleet fleet(VirtualClock clock, LostLinkAction lostLink) {
         SimulatedFleet fleet = new SimulatedFleet(
                 clock,
                 1,
@@ -104,9 +141,7 @@ class CopterHullTest {
                 45.7,
                 10.72,
                 id -> event -> {},
-                FleetConfig.DEFAULT
-                        .withHull(HullConfig.COPTER)
-                        .withServer(server -> server.lostLinkAction(LostLinkAction.RETURN)));
+                FleetConfig.DEFAULT.withHull(HullConfig.COPTER).withServer(server -> server.lostLinkAction(lostLink)));
         fleet.start();
         clock.runUntil(1000);
         return fleet;

@@ -152,11 +152,14 @@ final class ModeControl {
 
     /**
      * Does what is set for a lost link. A boat that no command has moved since its server started, which may have been in mid-path, stays where it is: no
-     * operator has said that it may move again.
+     * operator has said that it may move again. An aircraft that is to turn its motors off lands where it is, as autopilots do.
      */
     void linkLost(LostLinkAction action) {
         if (moved) {
             change(ModeEvent.linkLost(action));
+            if (action == LostLinkAction.DRIFT && mode == BoatMode.STOPPED) { // not under a fleet stop
+                vehicle.setAltitude(0);
+            }
         }
     }
 
