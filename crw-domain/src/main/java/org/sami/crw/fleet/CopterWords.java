@@ -6,7 +6,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Texts about boats as they read of copters: what is only true on the water by its own words, then driving as flying, then the word for a boat. What
- * stands in quotes is the user's, and stays as it is; so do command lines. */
+ * stands in quotes is the user's, and stays as it is; so do command lines, and {@link RobotKind#SURFACE_BOAT}. */
 final class CopterWords {
     /** Not within a name, an address or a path: boat-2, boat.local:5001 and /home/me/boats/x.log stay as they are. */
     private static final String BEFORE = "(?<![\\w./\\\\-])";
@@ -20,8 +20,8 @@ final class CopterWords {
     private static final String COMMAND_LINE =
             "(?<![\\w./-])crw [a-z][a-z-]*(?: (?:--?[a-z][\\w-]*|[A-Z][A-Z:_]*)(?!\\w))*";
 
-    private static final Pattern KEPT =
-            Pattern.compile(QUOTED + "|" + COMMAND_LINE + "|" + RobotKind.OtherKind.BOAT_AMONG_COPTERS);
+    private static final Pattern KEPT = Pattern.compile(QUOTED + "|" + COMMAND_LINE + "|"
+            + RobotKind.OtherKind.BOAT_AMONG_COPTERS + "|\\b" + RobotKind.SURFACE_BOAT + "s?\\b");
 
     private static final Map<Pattern, String> WORDS = new LinkedHashMap<>(); // longer ones first
 
@@ -70,7 +70,7 @@ final class CopterWords {
         return of(text, WORDS);
     }
 
-    /** The text with other words, apart from what stands in quotes, and command lines. */
+    /** The text with other words, apart from what stands in quotes, command lines, and what names one kind beside the other. */
     static String of(String text, Map<Pattern, String> words) {
         StringBuilder said = new StringBuilder();
         Matcher kept = KEPT.matcher(text);

@@ -17,6 +17,12 @@ public enum RobotKind {
         static final String BOAT_AMONG_COPTERS = "is a boat, and this session flies copters";
     }
 
+    /**
+     * A boat, in texts in which its kind is the point, as beside a copter: no other word is put in its place by {@link #say}, in no domain. So a text names the
+     * two kinds by these words and {@code copter}.
+     */
+    public static final String SURFACE_BOAT = "surface boat";
+
     private final String word;
 
     RobotKind(String word) {

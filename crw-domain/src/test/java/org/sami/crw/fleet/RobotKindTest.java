@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.crw.proxy.explanation.LostLinkWords;
 
@@ -61,6 +62,15 @@ class RobotKindTest {
         assertThat(RobotKind.COPTER.say(words)).isEqualTo("without a link it lands where it is");
         assertThat(RobotKind.ROBOT.say(words))
                 .isEqualTo("without a link it stops its motors and drifts, or lands if it flies");
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void textInWhichTheKindIsThePointNamesItInEachDomain(RobotKind robots) {
+        String words = "a was a " + RobotKind.SURFACE_BOAT
+                + ", and a copter answers; only surface boats and copters, or" + " surface boat 9";
+
+        assertThat(robots.say(words)).isEqualTo(words);
     }
 
     @Test

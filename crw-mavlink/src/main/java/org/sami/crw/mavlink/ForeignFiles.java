@@ -47,8 +47,9 @@ final class ForeignFiles {
 
     private String words(VehicleOwner before, VehicleOwner now, String stoppedBy) {
         String what = before.flies() == now.flies()
-                ? name + " is another " + now.kind() + " than the last one with its number"
-                : name + " is a " + now.kind() + ", and the last one with its number was a " + before.kind();
+                ? name + " is another " + KindWords.of(now) + " than the last one with its number"
+                : name + " is a " + KindWords.of(now) + ", and the last one with its number was a "
+                        + KindWords.of(before);
         String stopped = stoppedBy.isEmpty()
                 ? ""
                 : ", also that it was stopped by " + stoppedBy + ": this one is "

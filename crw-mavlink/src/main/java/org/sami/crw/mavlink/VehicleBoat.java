@@ -277,11 +277,12 @@ final class VehicleBoat implements BaseSession.Boat {
         isReplaced = true;
         orders.replaced();
         String where = vehicle.links().get(0).toString();
-        String what = now.word().equals(kind.word())
-                ? "another " + kind.word() + " answers with the number of " + name + " on " + where
+        String before = KindWords.of(kind);
+        String what = now == kind
+                ? "another " + before + " answers with the number of " + name + " on " + where
                         + ": its autopilot has another number. Its mission"
-                : name + " was a " + kind.word() + ", and a " + now.word() + " answers with its number now on " + where
-                        + ". The mission of the " + kind.word();
+                : name + " was a " + before + ", and a " + KindWords.of(now) + " answers with its number now on "
+                        + where + ". The mission of the " + before;
         String words = what + " is not sent to it. Look what is there before you command it, and give each vehicle a"
                 + " system id of its own";
         boolean isTold = session.filter(BaseSession::isGreeted).isPresent();

@@ -86,6 +86,14 @@ final class VehicleConnection implements GatewayLink {
         }
     }
 
+    /** Ends it, as what answers there is not commanded, for a reason in words. */
+    void refuse(String why) {
+        if (!over) {
+            over = true;
+            listener.refused(why);
+        }
+    }
+
     @Override
     public void send(byte[] frame) {
         thread.execute(() -> {

@@ -13,11 +13,13 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.stream.Collectors;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.address.MavlinkAddress;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.base.MessagePlan;
 import org.sami.mavlink.link.MavlinkLinkReport;
+import org.sami.mavlink.vehicle.CommandedVehicles;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleKind;
@@ -29,7 +31,6 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
  */
 final class VehicleLinks {
     private static final int EVERY_VEHICLE = 256; // port of an address without a number
-    private static final String ARDUPILOT = "ArduPilot";
     static final long HEARD_MS = 2_000; // a vehicle that was heard within it is there
     private static final int STATUS_TICKS = 10; // a second
     private static final long TRY_MS = 4_000;
@@ -180,24 +181,7 @@ final class VehicleLinks {
     }
 
     private static boolean isCommanded(VehicleSnapshot vehicle) {
-        return whyNot(vehicle).isEmpty();
-    }
-
-    /** Why a vehicle is not commanded from here; empty for one that is. */
-    private static Optional<String> whyNot(VehicleSnapshot vehicle) {
-        boolean isOfKind = switch (vehicle.kind()) {
-            case BOAT, ROVER, COPTER -> true;
-            default -> false;
-        };
-        if (!isOfKind) {
-            return Optional.of(
-                    "vehicle " + vehicle.id() + " is a " + vehicle.kind().word()
-                            + ", and here only boats and copters are commanded: give the address or number of one of these");
-        }
-        return vehicle.autopilot().equals(ARDUPILOT)
-                ? Optional.empty()
-                : Optional.of("vehicle " + vehicle.id() + " has the autopilot " + vehicle.autopilot()
-                        + ", and here only " + ARDUPILOT + "'s vehicles are commanded: their modes are known");
+        return CommandedVehicles.whyNot(vehicle).isEmpty();
     }
 
     private void look(Waiting one, long atMs) {
@@ -209,10 +193,10 @@ final class VehicleLinks {
         int system = one.connection.address().getPort();
         Optional<VehicleSnapshot> heard = vehicle(system).filter(known -> isReachedBy(one.connection, known, atMs));
         Optional<VehicleBoat> boat = heard.map(vehicle -> boats.get(system));
-        Optional<String> refusal = heard.flatMap(VehicleLinks::whyNot);
+        Optional<String> refusal = heard.flatMap(CommandedVehicles::whyNot);
         if (refusal.isPresent()) {
             waiting.remove(one);
-            one.connection.end(refusal.get());
+            one.connection.refuse(refusal.get());
         } else if (boat.isPresent() && !home(one.connection).equals(one.connection.address())) {
             waiting.remove(one);
             one.connection.found(home(one.connection));
@@ -230,7 +214,7 @@ final class VehicleLinks {
                                         : 0)
                 || isOther(system, link)) {
             waiting.remove(one);
-            one.connection.end(whyNot("vehicle " + system, link, atMs));
+            endUnreached(one.connection, Optional.of(system), atMs);
         }
     }
 
@@ -276,7 +260,7 @@ final class VehicleLinks {
                 vehicles.stream().anyMatch(vehicle -> vehicle.unsettled().contains(link));
         if (all.found.isEmpty() && atMs > all.untilMs + (isOpen ? RECOGNIZED_MS : 0)) {
             several.remove(all);
-            all.connection.end(whyNot("boat or copter", link, atMs));
+            endUnreached(all.connection, Optional.empty(), atMs);
         }
     }
 
@@ -298,21 +282,38 @@ final class VehicleLinks {
                         .map(fault -> "vehicle " + system + " " + fault.words()));
     }
 
-    private String whyNot(String what, MavlinkAddress address, long atMs) {
-        Optional<MavlinkLinkReport> link = report(address);
+    /**
+     * Ends a connection for which its link brought no vehicle.
+     *
+     * @param asked the system id of the vehicle; empty where any was asked for
+     */
+    private void endUnreached(VehicleConnection connection, Optional<Integer> asked, long atMs) {
+        MavlinkAddress link = linkOf(connection);
         List<VehicleSnapshot> there = vehicles.stream()
                 .filter(vehicle -> vehicle.heardOn().stream()
-                        .anyMatch(on -> on.link().equals(address) && atMs - on.heardMs() <= HEARD_MS))
+                        .anyMatch(on -> on.link().equals(link) && atMs - on.heardMs() <= HEARD_MS))
                 .toList();
         Optional<String> refusal = there.stream()
-                .flatMap(vehicle -> whyNot(vehicle).stream())
+                .filter(vehicle -> asked.isEmpty() || isAsked(asked, vehicle))
+                .flatMap(vehicle -> CommandedVehicles.whyNot(vehicle).stream())
                 .findFirst()
-                .or(() -> another(address));
-        if (fault(address).isPresent() || refusal.isPresent()) {
-            return fault(address).or(() -> refusal).get();
+                .or(() -> another(link));
+        Optional<String> fault = asked.map(system -> fault(link, system)).orElseGet(() -> fault(link));
+        boolean isSilent = report(link).filter(one -> one.bytes() > 0).isEmpty();
+        if (fault.isPresent() && isSilent) {
+            connection.end(fault.get());
+        } else if (fault.isPresent() || refusal.isPresent()) {
+            connection.refuse(fault.or(() -> refusal).get());
+        } else {
+            connection.end(whyNot(asked, link, there, isSilent));
         }
+    }
+
+    private String whyNot(
+            Optional<Integer> asked, MavlinkAddress address, List<VehicleSnapshot> there, boolean isSilent) {
+        Optional<MavlinkLinkReport> link = report(address);
         String others = there.stream()
-                .map(vehicle -> vehicle.kind().word() + " " + vehicle.id())
+                .map(vehicle -> KindWords.of(vehicle.kind()) + " " + vehicle.id())
                 .collect(Collectors.joining(", "));
         String refused = link.map(MavlinkLinkReport::refused).orElse(Map.of()).entrySet().stream()
                 .map(why -> "; refused " + why.getValue() + " messages "
@@ -323,10 +324,18 @@ final class VehicleLinks {
                 .map(one -> "; vehicle " + one.getKey() + " " + one.getValue().words())
                 .sorted()
                 .collect(Collectors.joining());
-        boolean isSilent = link.filter(one -> one.bytes() > 0).isEmpty();
         String nothing = isSilent ? "; nothing came: is this the port on which it speaks MAVLink, and is it on?" : "";
-        return "no " + what + " is heard there" + nothing + (others.isEmpty() ? "" : ", only " + others) + refused
+        String what = asked.map(system -> "vehicle " + system).orElse(RobotKind.SURFACE_BOAT + " or copter");
+        boolean isThere = there.stream().anyMatch(vehicle -> isAsked(asked, vehicle));
+        return (isThere
+                        ? what + " is heard there, but has not yet answered what it is asked: it is linked once it has"
+                        : "no " + what + " is heard there" + nothing + (others.isEmpty() ? "" : ", only " + others))
+                + refused
                 + speech;
+    }
+
+    private static boolean isAsked(Optional<Integer> asked, VehicleSnapshot vehicle) {
+        return asked.filter(system -> system == vehicle.id().system()).isPresent();
     }
 
     private Optional<String> another(MavlinkAddress link) {

@@ -25,7 +25,7 @@ record VehicleOwner(String number, boolean flies, int vehicles) {
         return kind() + (number.isEmpty() ? "" : "-" + number);
     }
 
-    /** One word for people. */
+    /** One word, for files and their names. */
     String kind() {
         return flies ? COPTER : BOAT;
     }

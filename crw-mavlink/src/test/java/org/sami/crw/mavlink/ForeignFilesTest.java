@@ -8,6 +8,9 @@ import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.sami.crw.fleet.RobotKind;
 
 class ForeignFilesTest {
     private static final String BOAT = "mav1";
@@ -59,11 +62,25 @@ class ForeignFilesTest {
         files.write(BOAT, STOPPED);
 
         assertThat(given("", true).news().orElseThrow())
-                .startsWith("mav1 is a copter, and the last one with its number was a boat: ")
+                .startsWith("mav1 is a copter, and the last one with its number was a surface boat: ")
                 .contains("also that it was stopped by base: this one is not stopped");
         assertThat(files.read(BOAT)).isEqualTo(VehicleFiles.Kept.NOTHING);
         given("", false);
         assertThat(files.read(BOAT)).isEqualTo(STOPPED);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void kindsOfBothAreNamedInSessionsOfEachKind(RobotKind robots) throws Exception {
+        given("", false);
+        String copter = robots.say(given("", true).news().orElseThrow());
+        String boat = robots.say(given("", false).news().orElseThrow());
+        given("0a", false);
+        String anotherBoat = robots.say(given("0b", false).news().orElseThrow());
+
+        assertThat(copter).startsWith("mav1 is a copter, and the last one with its number was a surface boat: ");
+        assertThat(boat).startsWith("mav1 is a surface boat, and the last one with its number was a copter: ");
+        assertThat(anotherBoat).startsWith("mav1 is another surface boat than the last one with its number: ");
     }
 
     @Test

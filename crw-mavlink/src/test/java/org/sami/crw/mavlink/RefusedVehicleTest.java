@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.server.testing.Await;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.mavlink.testing.SmallBoat;
 
 /** What a base says of vehicles that it does not command, and that it does not take them for connected. */
@@ -34,11 +35,14 @@ class RefusedVehicleTest {
         boat.close();
     }
 
-    private void isSaid(GatewayWorld world, String words, Runnable meanwhile) {
-        Await.until(words, GatewayWorld.WAIT_S, () -> {
-            meanwhile.run();
-            return world.links().stream().anyMatch(link -> link.lastEvent().contains(words));
-        });
+    /** In sessions of each kind of robots; as what was refused, or as what does not answer. */
+    private void isSaid(GatewayWorld world, String words, boolean asRefused) {
+        Await.until(
+                words,
+                GatewayWorld.WAIT_S,
+                () -> world.links().stream()
+                        .anyMatch(link -> link.lastEvent().contains(words) && link.refused() == asRefused));
+        assertThat(RobotKind.values()).allMatch(robots -> robots.say(words).equals(words));
         assertThat(world.links()).allMatch(link -> link.boatId().isEmpty());
     }
 
@@ -48,7 +52,7 @@ class RefusedVehicleTest {
         try (GatewayWorld world = new GatewayWorld(folder)) {
             world.connect(boat.address());
 
-            isSaid(world, "it speaks MAVLink 1 only; set the autopilot's port to MAVLink 2", () -> {});
+            isSaid(world, "it speaks MAVLink 1 only; set the autopilot's port to MAVLink 2", true);
         }
     }
 
@@ -60,9 +64,9 @@ class RefusedVehicleTest {
 
             isSaid(
                     world,
-                    "vehicle 5 is a plane, and here only boats and copters are commanded: give the address or number"
-                            + " of one of these",
-                    () -> {});
+                    "vehicle 5 is a plane, and here only surface boats and copters are commanded: give the address or"
+                            + " number of one of these",
+                    true);
         }
     }
 
@@ -87,7 +91,29 @@ class RefusedVehicleTest {
             new Thread(() -> refuseAll(server)).start();
             world.connect("mavlink:tcp:127.0.0.1:" + server.getLocalPort());
 
-            isSaid(world, "a web server answers there, and no vehicle: look at host and port", () -> {});
+            isSaid(world, "a web server answers there, and no vehicle: look at host and port", true);
+        }
+    }
+
+    @Test
+    void vehicleThatIsNotThereIsMissedBesideOneThatIs() {
+        try (GatewayWorld world = new GatewayWorld(folder)) {
+            world.connect(boat.address() + "/9");
+
+            isSaid(world, "no vehicle 9 is heard there, only surface boat 5", false);
+        }
+    }
+
+    @Test
+    void vehicleThatIsHeardAndHasNotAnsweredYetIsNotSaidToBeMissing() {
+        boat.faults().deaf(true);
+        try (GatewayWorld world = new GatewayWorld(folder)) {
+            world.connect(boat.address() + "/5");
+
+            isSaid(
+                    world,
+                    "vehicle 5 is heard there, but has not yet answered what it is asked: it is linked once it has",
+                    false);
         }
     }
 
@@ -97,7 +123,7 @@ class RefusedVehicleTest {
         try (GatewayWorld world = new GatewayWorld(folder)) {
             world.connect(boat.address());
 
-            isSaid(world, "vehicle 5 has the autopilot PX4, and here only ArduPilot's vehicles", () -> {});
+            isSaid(world, "vehicle 5 has the autopilot PX4, and here only ArduPilot's vehicles", true);
         }
     }
 }

@@ -20,6 +20,7 @@ import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.gateway.LinkStatus;
 import org.sami.mavlink.testing.SmallBoat;
@@ -82,11 +83,15 @@ class ReplacedVehicleTest {
         switchBoatOff();
         client.say(new StopMotors("stop"));
         try (SmallCopter copter = copterInTheAir()) {
-            String words = "mav7 was a boat, and a copter answers with its number now on " + boat.address() + ". ";
+            String words =
+                    "mav7 was a surface boat, and a copter answers with its number now on " + boat.address() + ". ";
             Await.until("the operator is told, or it falls", () -> copter.fell() || client.hasAlarm(words));
 
             assertThat(copter.fell()).isFalse();
-            assertThat(client.said(words, Priority.CRITICAL)).hasSize(1);
+            assertThat(client.said(words, Priority.CRITICAL))
+                    .hasSize(1)
+                    .allMatch(text -> RobotKind.COPTER.say(text).startsWith(words))
+                    .allMatch(text -> RobotKind.ROBOT.say(text).startsWith(words));
         }
     }
 
@@ -94,7 +99,7 @@ class ReplacedVehicleTest {
     void copterWithTheNumberOfABoatIsConnectedAsACopter() throws Exception {
         switchBoatOff();
         try (SmallCopter copter = copterInTheAir()) {
-            client.untilAlarm("mav7 was a boat");
+            client.untilAlarm("mav7 was a surface boat");
             client.reconnect();
             assertThat(client.ask(new FleetStop("fleet stop"))).isInstanceOf(Ack.class);
 
@@ -137,7 +142,8 @@ class ReplacedVehicleTest {
                         "the operator is told",
                         GatewayWorld.WAIT_S,
                         () -> world.alarms.stream()
-                                .anyMatch(text -> text.startsWith("another boat answers with the number of mav7 on ")));
+                                .anyMatch(text ->
+                                        text.startsWith("another surface boat answers with the number of mav7 on ")));
                 Await.until(
                         "it may not move yet",
                         GatewayWorld.WAIT_S,
@@ -162,7 +168,7 @@ class ReplacedVehicleTest {
         boat = new SmallBoat(7, LAT, LON, TIMES);
         client = new LinkClient(folder, boat.address() + "/7");
         client.untilAlarm(
-                "mav7 is another boat than the last one with its number: the list, the consumption and the fence of"
+                "mav7 is another surface boat than the last one with its number: the list, the consumption and the fence of"
                         + " that one are kept for it, also that it was stopped by client: this one is not stopped");
         assertThat(client.last(Telemetry.class).orElseThrow().mode()).isEqualTo(BoatMode.STOPPED);
         client.close();

@@ -21,6 +21,11 @@ public interface GatewayLink {
         /** The vehicle could not be reached, or the link has ended, for a reason in words. Called once; nothing follows. */
         void closed(String why);
 
+        /** In place of {@link #closed}: something answers that is not commanded from here, or not as it is set. */
+        default void refused(String why) {
+            closed(why);
+        }
+
         /**
          * The address leads to a vehicle that has this address: it stands for several, or is a second link to one that is reached at another. Called for
          * each.

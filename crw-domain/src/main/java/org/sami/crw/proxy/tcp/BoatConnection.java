@@ -22,6 +22,9 @@ interface BoatConnection extends FrameSink {
         /** It is closed or could not be had, for a reason in words. Called once. */
         void closed(BoatConnection connection, String why);
 
+        /** In place of {@link #closed}: what answers there was refused. */
+        void refused(BoatConnection connection, String why);
+
         /** The address is one of several boats; this is the address of one of them. */
         void found(InetSocketAddress boat);
 

@@ -313,6 +313,13 @@ final class BoatLink implements FrameSink {
         proxy.ifPresent(known -> known.closed(nowMs));
     }
 
+    /** What a gateway has found there was refused; it is tried again as soon as one that did not answer, as it may be set or exchanged at any time. */
+    void refused(BoatConnection from, String why, long nowMs) {
+        boolean isNow = isPresent(from);
+        closed(from, why, nowMs);
+        lastRefused |= isNow;
+    }
+
     private boolean isPresent(BoatConnection from) {
         return connection.isPresent() && connection.get() == from;
     }

@@ -91,6 +91,14 @@ final class GatewayConnection implements BoatConnection {
         }
 
         @Override
+        public void refused(String why) {
+            if (closed.compareAndSet(false, true)) {
+                link.ifPresent(GatewayLink::close);
+                owner.refused(GatewayConnection.this, why);
+            }
+        }
+
+        @Override
         public void found(InetSocketAddress boat) {
             owner.found(boat);
         }

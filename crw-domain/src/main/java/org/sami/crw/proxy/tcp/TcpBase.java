@@ -227,6 +227,11 @@ public final class TcpBase implements AutoCloseable {
             }
 
             @Override
+            public void refused(BoatConnection connection, String why) {
+                run("a refused link", () -> link.refused(connection, why, now()));
+            }
+
+            @Override
             public void found(InetSocketAddress boat) {
                 run("a boat that was found", () -> {
                     if (!stopped) {
