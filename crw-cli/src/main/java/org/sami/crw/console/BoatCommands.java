@@ -22,6 +22,12 @@ final class BoatCommands {
     private static final double LONGEST_DRIVE_S = 600;
     private static final double SAYS_WITHIN_S = 1; // how it is; the dead man's time is longer
 
+    private static final String ADDS_BOATS = "Adds simulated boats, which move in real time.";
+    private static final String DRIVES = "Drives a boat by hand, -1 to 1 each; 2 s by default";
+    private static final String WAITS = " Missions wait until it is given back.";
+    private static final String HANDS_BACK = "Gives a boat that was driven by hand back to the missions.";
+    private static final String FLEET_STOP = " 'stop all' is the fleet stop.";
+
     private final ConsoleContext context;
 
     BoatCommands(ConsoleContext context) {
@@ -41,7 +47,14 @@ final class BoatCommands {
                                 + " dropped.",
                         this::disconnect),
                 ConsoleCommand.of(
-                        "add NAME LAT,LON [COUNT]", "Adds simulated boats, which move in real time.", this::add),
+                        "add NAME LAT,LON [COUNT]",
+                        context.words()
+                                .of(
+                                        ADDS_BOATS,
+                                        ADDS_BOATS,
+                                        "Adds simulated robots, which move in real time: copters where the name begins"
+                                                + " with copter, as in copter1, else surface boats."),
+                        this::add),
                 withBoat(
                         "drop BOAT [MISSION]", "Takes a boat out of a mission, or of all and gives it up.", this::drop),
                 withBoat(
@@ -65,15 +78,30 @@ final class BoatCommands {
                 withBoat("give BOAT CLIENT", "Gives a boat's command to another base.", this::give),
                 withBoat(
                         "drive BOAT THRUST RUDDER [SECONDS]",
-                        "Drives a boat by hand, -1 to 1 each; 2 s by default. Missions wait until it is given back.",
+                        context.words()
+                                .of(
+                                        DRIVES + "." + WAITS,
+                                        "Is refused: copters are not flown by hand from here, but by the radio control"
+                                                + " of each.",
+                                        DRIVES + "; copters refuse it." + WAITS),
                         this::drive),
                 withBoat(
                         "back BOAT",
-                        "Gives a boat that was driven by hand back to the missions.",
+                        context.words()
+                                .of(
+                                        HANDS_BACK,
+                                        "Is not for copters, which are not flown by hand from here.",
+                                        HANDS_BACK),
                         carriedOut(FrontFleet::handBack, "given back")),
                 ConsoleCommand.of(
                         "stop BOAT|all",
-                        "Stops motors at once, until they are released; 'stop all' is the fleet stop.",
+                        context.words()
+                                .of(
+                                        "Stops motors at once, until they are released;" + FLEET_STOP,
+                                        "Stops a copter at once, until it is released: in the air it stays where it is,"
+                                                + " with its motors on;" + FLEET_STOP,
+                                        "Stops motors at once, until they are released; a copter in the air stays where"
+                                                + " it is, with its motors on;" + FLEET_STOP),
                         this::stop,
                         this::boatOrAll),
                 ConsoleCommand.of("release BOAT|all", "Ends a stop.", this::release, this::boatOrAll));

@@ -19,6 +19,15 @@ final class ConsoleWords {
         return robots.say(text);
     }
 
+    /** One of three texts, where one about boats is not true of copters. A team's names the two by {@link RobotKind#SURFACE_BOAT} and copter. */
+    String of(String boats, String copters, String team) {
+        return switch (robots) {
+            case BOAT -> boats;
+            case COPTER -> copters;
+            case ROBOT -> team;
+        };
+    }
+
     /** The same command as typed in this domain: {@code boats} is {@code copters}, and its help has the domain's words. */
     ConsoleCommand of(ConsoleCommand command) {
         return new ConsoleCommand(

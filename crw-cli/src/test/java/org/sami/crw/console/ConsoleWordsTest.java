@@ -65,4 +65,25 @@ class ConsoleWordsTest {
                 .hasSize(3);
         assertThat(said).contains("Lists the robots, how they are and what they do.");
     }
+
+    @Test
+    void helpOfCoptersPromisesNoFlightByHandAndNoMotorsThatStopInTheAir() throws IOException {
+        String said = said("/org/sami/domain/uav", "help drive\nhelp back\nhelp stop\n");
+
+        assertThat(said)
+                .contains("Is refused: copters are not flown by hand from here, but by the radio control of each.")
+                .contains("Is not for copters, which are not flown by hand from here.")
+                .contains("in the air it stays where it is, with its motors on;")
+                .doesNotContain("Flies a copter by hand", "Stops motors at once");
+    }
+
+    @Test
+    void helpOfATeamSaysWhichNamesMakeCoptersAndWhatCoptersDoOtherwise() throws IOException {
+        String said = said("/org/sami/domain/team", "help add\nhelp drive\nhelp stop\n");
+
+        assertThat(said)
+                .contains("copters where the name begins with copter, as in copter1, else surface boats.")
+                .contains("copters refuse it.")
+                .contains("a copter in the air stays where it is, with its motors on;");
+    }
 }

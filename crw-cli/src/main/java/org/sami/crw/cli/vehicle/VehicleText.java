@@ -9,6 +9,7 @@ import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.link.MavlinkLinkState;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
+import org.sami.mavlink.vehicle.CommandedVehicles;
 import org.sami.mavlink.vehicle.StatusText;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
@@ -33,6 +34,14 @@ final class VehicleText {
         rows.add(List.of("id", "kind", "autopilot", "mode", "armed", "position", "speed", "battery", "GPS", "heard"));
         vehicles.forEach(vehicle -> rows.add(row(vehicle)));
         return aligned(rows);
+    }
+
+    /** Why some are not commanded from here. */
+    static String notCommanded(List<VehicleSnapshot> vehicles) {
+        return vehicles.stream()
+                .flatMap(vehicle -> CommandedVehicles.whyNot(vehicle).stream())
+                .map(why -> why + "\n")
+                .collect(Collectors.joining());
     }
 
     private List<String> row(VehicleSnapshot vehicle) {

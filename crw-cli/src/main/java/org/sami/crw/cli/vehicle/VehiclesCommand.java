@@ -46,7 +46,7 @@ import picocli.CommandLine.Spec;
                         + " mode, position, battery, GPS, and how well each link hears them. Moves and changes nothing.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
-            "0:every link brought a vehicle",
+            "0:every link brought a vehicle, also one that is not commanded from here",
             "2:wrong usage",
             "4:a link brought no vehicle, or a list could not be read",
             "130:stopped by Ctrl-C"
@@ -133,6 +133,7 @@ public final class VehiclesCommand implements Callable<Integer> {
             List<MavlinkLinkReport> links = base.links();
             VehicleText text = new VehicleText(clock.getAsLong());
             out.print(text.table(vehicles));
+            out.print(VehicleText.notCommanded(vehicles));
             out.print(text.links(links, vehicles));
             out.print(VehicleText.ways(vehicles));
             out.print(text.said(vehicles));

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.crw.cli.CommandResult;
+import org.sami.mavlink.testing.SmallBoat;
 import org.sami.mavlink.testing.SmallVehicle;
 
 /** {@code crw vehicles} against a small vehicle on loopback. */
@@ -27,7 +28,22 @@ class VehiclesCommandTest {
                     .contains("7 says (warning): PreArm: safety switch")
                     .contains("7 holds this mission:")
                     .anyMatch(line -> line.matches(" +1 +nav waypoint +45.700100, 10.720000 +0.0 m"))
-                    .contains("7 holds no fence");
+                    .contains("7 holds no fence")
+                    .noneMatch(line -> line.contains("are commanded"));
+        }
+    }
+
+    @Test
+    void vehicleThatIsNotCommandedFromHereIsListedAndSaidNotToBe() throws Exception {
+        try (SmallBoat vehicle = new SmallBoat(5, 45.7, 10.72, 1)) {
+            vehicle.reports().isPlane();
+            CommandResult ran = CommandResult.crw("vehicles", "--for", "10", vehicle.address());
+
+            assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+            assertThat(ran.out().lines())
+                    .anyMatch(line -> line.startsWith("5 ") && line.contains("plane"))
+                    .contains("vehicle 5 is a plane, and here only surface boats and copters are commanded: give the"
+                            + " address or number of one of these");
         }
     }
 

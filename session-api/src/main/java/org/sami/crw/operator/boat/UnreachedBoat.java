@@ -2,6 +2,7 @@ package org.sami.crw.operator.boat;
 
 import java.util.Objects;
 import org.sami.crw.proxy.explanation.BoatExplanation;
+import org.sami.crw.proxy.tcp.BoatAddress;
 
 /**
  * An address without a boat for this base, though it keeps trying: no answer, or a refusal.
@@ -44,6 +45,9 @@ public record UnreachedBoat(String address, String boat, String reason, boolean 
 
     /** What the operator can do about it, one sentence without a full stop. */
     public String advice() {
+        if (refused && BoatAddress.isOnMavlink(address)) {
+            return "Change what the reason names, or give the address up";
+        }
         return refused
                 ? "Look who is at this address: give that boat an id of its own, or give the address up"
                 : "Switch the boat on, look at address and network; give the address up if no boat is there";
