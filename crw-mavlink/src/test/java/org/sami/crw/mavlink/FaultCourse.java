@@ -81,6 +81,7 @@ final class FaultCourse implements AutoCloseable {
             assertThat(boat.isArmed()).isFalse();
             Await.until(
                     "it says where it is", GatewayWorld.WAIT_S, this::isSeenAgain); // before, a yes would be too early
+            Await.until("it is ready", GatewayWorld.WAIT_S, boat::isReady);
             world.tell(boat.name(), BoatProxy::confirmRestart);
         }
         if (fault == Fault.BASE_KILLED || !phase.isOrdered()) {

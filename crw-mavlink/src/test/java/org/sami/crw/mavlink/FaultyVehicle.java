@@ -35,6 +35,9 @@ interface FaultyVehicle {
     /** Whether its motors may turn. */
     boolean isArmed();
 
+    /** Whether its own checks before arming pass, as it says; its operator sends it nowhere before. */
+    boolean isReady();
+
     /** How often it was armed in this case. */
     int armings();
 

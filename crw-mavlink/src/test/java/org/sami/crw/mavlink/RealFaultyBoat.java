@@ -231,6 +231,11 @@ final class RealFaultyBoat implements FaultyVehicle, AutoCloseable {
     }
 
     @Override
+    public boolean isReady() {
+        return truth().isReady();
+    }
+
+    @Override
     public int armings() {
         return said("Throttle armed") - armedBefore;
     }

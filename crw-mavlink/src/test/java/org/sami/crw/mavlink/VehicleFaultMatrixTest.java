@@ -132,6 +132,12 @@ class VehicleFaultMatrixTest {
             return boat.isArmed();
         }
 
+        /** It has no checks. */
+        @Override
+        public boolean isReady() {
+            return true;
+        }
+
         @Override
         public int armings() {
             return boat.armings();
@@ -162,9 +168,10 @@ class VehicleFaultMatrixTest {
             return boat.mission().visited().size();
         }
 
+        /** One that is sent on while it is on its way to the last place goes there in GUIDED, without its mission. */
         @Override
         public void assertVisitedOnceInOrder() {
-            assertThat(boat.mission().visited()).doesNotHaveDuplicates().hasSize(PATH.size());
+            assertThat(boat.mission().visited()).doesNotHaveDuplicates().hasSizeBetween(PATH.size() - 1, PATH.size());
             PATH.forEach(point ->
                     assertThat(boat.nearestM(point.latDeg(), point.lonDeg())).isLessThan(NEAR_M));
         }

@@ -21,6 +21,9 @@ public final class ArduPilotBoats implements AutoCloseable {
     private static final int ALTITUDE_M = 65;
     private static final String CALM = "SIM_WIND_SPD 0\nSIM_WAVE_ENABLE 0\n";
 
+    /** Beginning a log holds up a simulated boat as it is armed, so that it disarms itself; after a start it refuses to be armed until its log has begun. */
+    private static final String WITHOUT_LOGS = "LOG_BACKEND_TYPE 0\n";
+
     private final Process process;
 
     /**
@@ -35,7 +38,7 @@ public final class ArduPilotBoats implements AutoCloseable {
     }
 
     /**
-     * Starts one boat at a place on calm water, where a boat that is not driven does not drift for long. It sends to a port of UDP on this machine in place of its
+     * Starts one boat without logs at a place on calm water, where a boat that is not driven does not drift for long. It sends to a port of UDP on this machine in place of its
      * first link.
      *
      * @param headingDeg from north clockwise
@@ -47,7 +50,7 @@ public final class ArduPilotBoats implements AutoCloseable {
         String home = String.format(
                 Locale.ROOT, "%.7f,%.7f,%d,%.1f", latDeg, lonDeg - westDeg, ALTITUDE_M, (headingDeg + 360) % 360);
         requireFree(secondPort(number)); // else the boat of another one would be heard there
-        String calm = Files.writeString(work.resolve("calm.parm"), CALM)
+        String calm = Files.writeString(work.resolve("calm.parm"), CALM + WITHOUT_LOGS)
                 .toAbsolutePath()
                 .toString();
         return new ArduPilotBoats(

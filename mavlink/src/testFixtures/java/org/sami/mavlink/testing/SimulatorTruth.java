@@ -6,10 +6,13 @@ import io.dronefleet.mavlink.ardupilotmega.ArdupilotmegaDialect;
 import io.dronefleet.mavlink.ardupilotmega.Simstate;
 import io.dronefleet.mavlink.common.CommandLong;
 import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.common.MavSysStatusSensor;
 import io.dronefleet.mavlink.common.Statustext;
+import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavModeFlag;
+import io.dronefleet.mavlink.util.EnumValue;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;
@@ -27,6 +30,8 @@ public final class SimulatorTruth implements AutoCloseable {
     private static final float EVERY_US = 100_000;
     private static final double METRES = 0.0111319; // of a ten millionth of a degree of latitude
     private static final int GROUND = 250;
+    private static final int CHECKS =
+            EnumValue.of(MavSysStatusSensor.MAV_SYS_STATUS_PREARM_CHECK).value();
     private static final int AUTOPILOT = 1;
     private static final double GAP_M = 5; // reports of a vehicle at 3 m/s are 0.3 m apart
 
@@ -36,6 +41,7 @@ public final class SimulatorTruth implements AutoCloseable {
     private final List<Long> heardNs = new ArrayList<>(); // when each was heard, on this process's clock
     private double headingRad;
     private boolean armed;
+    private boolean isReady;
     private volatile boolean isClosed;
     private volatile String ended = ""; // why nothing is heard any longer
 
@@ -89,6 +95,8 @@ public final class SimulatorTruth implements AutoCloseable {
                 headingRad = state.yaw();
             } else if (message instanceof Heartbeat beat) {
                 armed = beat.baseMode().flagsEnabled(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED);
+            } else if (message instanceof SysStatus status) {
+                isReady = (status.onboardControlSensorsHealth().value() & CHECKS) != 0;
             } else if (message instanceof Statustext text) {
                 texts.add(text.text());
             }
@@ -106,6 +114,13 @@ public final class SimulatorTruth implements AutoCloseable {
     public boolean isArmed() {
         synchronized (track) {
             return armed;
+        }
+    }
+
+    /** Whether its own checks before arming pass, as it has said last. */
+    public boolean isReady() {
+        synchronized (track) {
+            return isReady;
         }
     }
 
