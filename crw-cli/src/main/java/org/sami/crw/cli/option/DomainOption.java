@@ -51,12 +51,32 @@ public final class DomainOption {
         if (folder().isPresent()) {
             return fromFolder(folder().get());
         }
-        boolean ships = domain.matches("[a-z][a-z0-9-]*")
-                && DomainOption.class.getResource(SHIPPED + domain + "/domain.json") != null;
-        if (!ships) {
+        if (!ships(domain)) {
             throw new UsageFault("--domain: there is no folder '" + domain + "', nor does such a domain come with crw");
         }
         return DomainLibrary.fromClassPath(SHIPPED + domain);
+    }
+
+    private static boolean ships(String name) {
+        return name.matches("[a-z][a-z0-9-]*")
+                && DomainOption.class.getResource(SHIPPED + name + "/domain.json") != null;
+    }
+
+    /**
+     * A domain as it is now; empty where its folder is gone or its words have errors, or where none of that name comes with the program.
+     *
+     * @param name as its {@code domain.json} says
+     * @param folder in which it is; empty for one that comes with the program
+     */
+    public static Optional<DomainLibrary> present(String name, Optional<Path> folder) {
+        if (folder.isPresent()) {
+            try {
+                return fromFolder(folder.get()).result();
+            } catch (UsageFault gone) {
+                return Optional.empty();
+            }
+        }
+        return ships(name) ? DomainLibrary.fromClassPath(SHIPPED + name).result() : Optional.empty();
     }
 
     /**
@@ -119,7 +139,8 @@ public final class DomainOption {
                 .toList();
     }
 
-    private Optional<Path> folder() {
+    /** The folder in which the domain is; empty for one that comes with the program. */
+    public Optional<Path> folder() {
         return Optional.of(domain).filter(d -> !d.isEmpty()).map(Path::of).filter(Files::isDirectory);
     }
 }

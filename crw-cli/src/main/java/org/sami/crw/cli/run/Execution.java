@@ -17,6 +17,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.sami.boat.link.LostLinkAction;
+import org.sami.crw.cli.option.DomainOption;
 import org.sami.crw.cli.option.OutputOptions;
 import org.sami.crw.cli.option.PlanSource;
 import org.sami.crw.cli.output.ErrorMessages;
@@ -79,6 +80,7 @@ final class Execution {
     private final long connectWithinMillis;
     private final Clock clock;
     private Optional<Path> answersFile = Optional.empty();
+    private Optional<Path> domainFolder = Optional.empty();
     private Optional<LostLinkAction> lostLink = Optional.empty();
 
     /** The run with its observer and the first messages. */
@@ -122,6 +124,12 @@ final class Execution {
         return this;
     }
 
+    /** Names the folder of the domain of the run that begins; empty for a domain that comes with the program. A later resume compares with it. */
+    Execution domainFrom(Optional<Path> folder) {
+        domainFolder = folder;
+        return this;
+    }
+
     /**
      * Runs a mission from its start.
      *
@@ -142,7 +150,8 @@ final class Execution {
                 new ProjectWriter(library.vocabulary()).text(project),
                 library.files().texts(),
                 Optional.of(new RunRecord.Start(clock.instant(), clock.getZone())),
-                answersFile);
+                answersFile,
+                domainFolder);
         checkJournal(journal);
         return settings.isConnected()
                 ? runConnected(runPlan, record, answers, journal)
@@ -304,7 +313,7 @@ final class Execution {
         try (ResumedJournal resumed = ResumedJournal.open(journal)) {
             RunPlan plan = plan(resumed.record());
             RunSettings settings = change.apply(beyondItsLimit(resumed));
-            tellDifferences(resumed);
+            tellDifferences(resumed, plan.vocabulary().domain());
             tell("going through " + resumed.resumedFrom().orElse(0) + " journal entries again, then going on");
             AnswersFile answers = answers(settings, plan.vocabulary()).orThrow();
             int code = run(
@@ -320,7 +329,7 @@ final class Execution {
         try (ConnectedJournal resumed = ConnectedJournal.open(journal)) {
             RunPlan plan = plan(resumed.record());
             RunSettings settings = change.apply(beyondItsLimit(resumed));
-            tellDifferences(resumed);
+            tellDifferences(resumed, plan.vocabulary().domain());
             tell("going on after journal entry " + resumed.resumedFrom().orElse(0));
             AnswersFile answers = answers(settings, plan.vocabulary()).orThrow();
             int code = run(
@@ -358,15 +367,20 @@ final class Execution {
         return reached ? recorded.withLimit(OptionalLong.empty()) : recorded;
     }
 
-    private void tellDifferences(EarlierProcesses resumed) {
+    private void tellDifferences(EarlierProcesses resumed, String domain) {
         if (!resumed.damage().isEmpty()) {
             tell("crw: " + resumed.damage());
         }
-        resumed.record().otherAnswers().ifPresent(this::tellDifference);
-        for (String changed : resumed.differences(
-                currentProject(resumed.record()), library.files().texts())) {
-            tellDifference(changed);
+        RunRecord record = resumed.record();
+        record.otherAnswers().ifPresent(this::tellDifference);
+        Optional<DomainLibrary> present = DomainOption.present(domain, record.domainFolder());
+        if (present.isEmpty() && record.domainFolder().isEmpty()) {
+            return; // of a folder that its journal does not name: there is nothing to compare with
         }
+        String project =
+                present.map(words -> currentProject(record.source(), words)).orElse("");
+        Map<String, String> files = present.map(words -> words.files().texts()).orElse(Map.of());
+        resumed.differences(project, files).forEach(this::tellDifference);
     }
 
     private void tellDifference(String changed) {
@@ -378,11 +392,11 @@ final class Execution {
         err.flush();
     }
 
-    private String currentProject(RunRecord record) {
+    private static String currentProject(String source, DomainLibrary words) {
         try {
-            return PlanSource.find(record.source(), library)
+            return PlanSource.find(source, words)
                     .project()
-                    .map(new ProjectWriter(library.vocabulary())::text)
+                    .map(new ProjectWriter(words.vocabulary())::text)
                     .orElse("");
         } catch (UsageFault gone) {
             return "";

@@ -148,6 +148,7 @@ public final class RunCommand implements Callable<Integer> {
         }
         return new Execution(spec.commandLine(), library, output, options.connectWithinMillis())
                 .answersFrom(options.answersPath())
+                .domainFrom(domain.folder())
                 .lostLink(options.lostLink())
                 .runNew(source, plan, settings, journal);
     }

@@ -23,6 +23,7 @@ import org.sami.spn.journal.JournalHeader;
  * @param vocabulary the domain's files by name
  * @param start when and where it began, which nothing in it depends on; empty in journals that do not say so
  * @param answersFile where the text of the answers in the settings was read; empty where there was none, and in journals that do not say so
+ * @param domainFolder the folder of the domain; empty for one that comes with the program, and in journals that do not say so
  */
 public record RunRecord(
         RunSettings settings,
@@ -30,7 +31,8 @@ public record RunRecord(
         String project,
         Map<String, String> vocabulary,
         Optional<Start> start,
-        Optional<Path> answersFile) {
+        Optional<Path> answersFile,
+        Optional<Path> domainFolder) {
     private static final String KIND = "kind";
     private static final String IN_PROCESS = "in-process";
     private static final String TCP = "tcp";
@@ -47,6 +49,7 @@ public record RunRecord(
 
     private static final String SOURCE = "source";
     private static final String ANSWERS_FILE = "answersFile";
+    private static final String DOMAIN_FOLDER = "domainFolder";
     private static final String STARTED_AT = "startedAt";
     private static final String TIME_ZONE = "timeZone";
 
@@ -64,17 +67,18 @@ public record RunRecord(
         Objects.requireNonNull(project, "project");
         Objects.requireNonNull(start, "start");
         Objects.requireNonNull(answersFile, "answersFile");
+        Objects.requireNonNull(domainFolder, "domainFolder");
         vocabulary = Collections.unmodifiableMap(new LinkedHashMap<>(vocabulary));
     }
 
     /** A record that does not say when the run began. */
     public RunRecord(RunSettings settings, String source, String project, Map<String, String> vocabulary) {
-        this(settings, source, project, vocabulary, Optional.empty(), Optional.empty());
+        this(settings, source, project, vocabulary, Optional.empty(), Optional.empty(), Optional.empty());
     }
 
     /** The same run with other settings. */
     public RunRecord with(RunSettings others) {
-        return new RunRecord(others, source, project, vocabulary, start, answersFile);
+        return new RunRecord(others, source, project, vocabulary, start, answersFile, domainFolder);
     }
 
     /** The header of a run's journal. */
@@ -90,6 +94,7 @@ public record RunRecord(
             map.put(TIME_ZONE, begun.zone().getId());
         });
         answersFile.ifPresent(file -> map.put(ANSWERS_FILE, file.toString()));
+        domainFolder.ifPresent(folder -> map.put(DOMAIN_FOLDER, folder.toString()));
         return JournalHeader.of(project, vocabulary, map);
     }
 
@@ -109,7 +114,8 @@ public record RunRecord(
                 header.project(),
                 header.vocabulary(),
                 start(map),
-                Optional.ofNullable(map.get(ANSWERS_FILE)).map(Path::of));
+                Optional.ofNullable(map.get(ANSWERS_FILE)).map(Path::of),
+                Optional.ofNullable(map.get(DOMAIN_FOLDER)).map(Path::of));
     }
 
     /** Says of the answers file that it differs now from what the run began with; empty where it does not, or none was named. */

@@ -96,6 +96,7 @@ class ClearWaysRunTest {
                 new ProjectWriter(TestRuns.LIBRARY.vocabulary()).text(project),
                 TestRuns.LIBRARY.files().texts(),
                 Optional.empty(),
+                Optional.empty(),
                 Optional.empty());
         try (WrittenJournal written = WrittenJournal.create(file, record)) {
             CrashingJournal crashing = new CrashingJournal(written, 14);
