@@ -1,13 +1,17 @@
 package org.sami.crw.handler;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.motion.BoatMoves;
+import org.sami.crw.handler.planning.BoatDemands;
+import org.sami.spn.value.Value;
 import org.sami.spn.vocabulary.Vocabulary;
 
 /** The {@link HandlerModule}s that are on the class path. */
@@ -55,6 +59,30 @@ public final class HandlerModules {
                         .filter(module -> module.moves().contains(event))
                         .map(HandlerModule::robots)
                         .findFirst();
+    }
+
+    /** Which kind of robots does what an output event asks: that which it moves, or of which it demands more; empty for one that any robot can do. */
+    public static Optional<RobotKind> doing(String event) {
+        return moving(event)
+                .or(() -> ALL.stream()
+                        .filter(module -> module.demands().containsKey(event))
+                        .map(HandlerModule::robots)
+                        .findFirst());
+    }
+
+    /**
+     * Why a robot cannot do what an output event of any of the domains asks of it, as a sentence without its full stop; empty where it can, or does not say.
+     *
+     * @param event the event's type
+     * @param values of its fields, as far as they are known
+     */
+    public static Optional<String> missing(
+            String robot, BoatCapabilities robotCan, String event, Map<String, Value> values) {
+        return BoatDemands.missing(robot, robotCan, event, values)
+                .or(() -> ALL.stream()
+                        .flatMap(module -> Optional.ofNullable(module.demands().get(event)).stream())
+                        .findFirst()
+                        .flatMap(demand -> BoatDemands.missing(robot, robotCan, demand)));
     }
 
     /** Whether output events of a vocabulary have handlers on this class path: those of the boats always. */

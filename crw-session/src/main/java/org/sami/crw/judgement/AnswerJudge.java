@@ -3,7 +3,7 @@ package org.sami.crw.judgement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import org.sami.crw.handler.planning.BoatDemands;
+import org.sami.crw.handler.HandlerModules;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.session.api.DraftAnswer;
 import org.sami.session.api.Judgement;
@@ -45,10 +45,10 @@ public final class AnswerJudge {
         List<JudgedRequest> all = new ArrayList<>(question.requests());
         all.addAll(question.next());
         for (JudgedRequest request : all) {
-            boats.forEach(
-                    boat -> BoatDemands.missing(boat.name(), boat.capabilities(), request.type(), request.values(draft))
-                            .map(Remark::doubt)
-                            .ifPresent(remarks::add));
+            boats.forEach(boat -> HandlerModules.missing(
+                            boat.name(), boat.capabilities(), request.type(), request.values(draft))
+                    .map(Remark::doubt)
+                    .ifPresent(remarks::add));
             remarks.addAll(work.of(request.type(), request.values(draft)));
         }
         draft.option().ifPresent(option -> remarks.addAll(work.ways(List.of(option))));

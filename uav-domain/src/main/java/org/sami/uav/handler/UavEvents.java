@@ -1,6 +1,8 @@
 package org.sami.uav.handler;
 
+import java.util.Map;
 import java.util.Set;
+import org.sami.crw.handler.planning.BoatDemands.Demand;
 
 /** The names of the domain's events that handlers take and post, as {@code events.json} has them. */
 final class UavEvents {
@@ -23,6 +25,12 @@ final class UavEvents {
     /** Those of the events above that move aircraft. */
     static final Set<String> MOVES =
             Set.of(TAKE_OFF, CLIMB_TO, FLY_TO, FLY_PATH, HOVER, LAND, RETURN_HOME, LOOK_AROUND, SEARCH_AROUND, FOLLOW);
+
+    /** Those of the events above that need a camera: for a picture, or for what it detects. */
+    static final Map<String, Demand> DEMANDS = Map.of(
+            LOOK_AROUND, Demand.PANORAMA,
+            SEARCH_AROUND, Demand.TARGETS,
+            WATCH_TARGETS, Demand.TARGETS);
 
     static final String AIRBORNE = "Airborne";
     static final String ALTITUDE_REACHED = "AltitudeReached";

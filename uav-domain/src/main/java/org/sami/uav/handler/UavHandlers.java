@@ -8,6 +8,7 @@ import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.HandlerModule;
 import org.sami.crw.handler.HandlerParts;
+import org.sami.crw.handler.planning.BoatDemands;
 import org.sami.crw.proxy.status.BoatReading;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.value.ListValue;
@@ -31,6 +32,11 @@ public final class UavHandlers implements HandlerModule {
     @Override
     public Set<String> moves() {
         return UavEvents.MOVES;
+    }
+
+    @Override
+    public Map<String, BoatDemands.Demand> demands() {
+        return UavEvents.DEMANDS;
     }
 
     @Override

@@ -12,7 +12,10 @@ import org.sami.crw.handler.subscription.MeasurementHandler;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
 
-/** What output events demand of a boat beyond driving, and why a boat cannot do it. A boat that does not say what it can do is taken to be able. */
+/**
+ * What output events of every domain demand of a boat beyond driving, and why a boat cannot do it. A boat that does not say what it can do is taken to be able. What
+ * events of other domains demand, their modules say.
+ */
 public final class BoatDemands {
     /** The word with which tasks need a camera. */
     static final String CAMERA = "camera";
@@ -23,10 +26,22 @@ public final class BoatDemands {
     /** The word for what only robots on the water offer. */
     public static final String WATER = "water";
 
+    /** What an event may demand of a robot in addition to moving. */
+    public enum Demand {
+        /** Pictures all round. */
+        PANORAMA,
+        /** Gains that the base sets. */
+        GAINS,
+        /** Reports of what a detector on board sees. */
+        TARGETS
+    }
+
+    private static final String TARGET = "target"; // the channel of such reports
+
     private static final Map<String, String> WORDS = Map.of(
             BoatCapabilities.PANORAMA, "take pictures all round", BoatCapabilities.GAINS, "take gains from here");
-    private static final Map<String, String> BY_EVENT =
-            Map.of(PanoramaHandler.TYPE, BoatCapabilities.PANORAMA, SetGainsHandler.TYPE, BoatCapabilities.GAINS);
+    private static final Map<String, Demand> BY_EVENT =
+            Map.of(PanoramaHandler.TYPE, Demand.PANORAMA, SetGainsHandler.TYPE, Demand.GAINS);
 
     private BoatDemands() {}
 
@@ -43,9 +58,31 @@ public final class BoatDemands {
             return unmeasured(boatCan, sensor.value())
                     .map(why -> boat + " cannot measure " + sensor.value() + ": " + why);
         }
-        return Optional.ofNullable(BY_EVENT.get(event))
-                .flatMap(what -> cannot(boatCan, what))
-                .map(why -> boat + " " + why);
+        return Optional.ofNullable(BY_EVENT.get(event)).flatMap(demand -> missing(boat, boatCan, demand));
+    }
+
+    /** Why a robot cannot do what is demanded of it, as a sentence without its full stop; empty where it can, or does not say. */
+    public static Optional<String> missing(String robot, BoatCapabilities robotCan, Demand demand) {
+        Optional<String> why = switch (demand) {
+            case PANORAMA -> cannot(robotCan, BoatCapabilities.PANORAMA);
+            case GAINS -> cannot(robotCan, BoatCapabilities.GAINS);
+            case TARGETS -> seesNone(robotCan);
+        };
+        return why.map(text -> robot + " " + text);
+    }
+
+    /**
+     * Vehicles do not say what they are going to measure, and what detects targets may be a camera of which the autopilot does not know: it is only likely that
+     * one without a camera sees none.
+     */
+    private static Optional<String> seesNone(BoatCapabilities robotCan) {
+        boolean reports = robotCan.measures()
+                .filter(channels -> channels.stream().anyMatch(channel -> isOf(channel, TARGET)))
+                .isPresent();
+        return reports
+                ? Optional.empty()
+                : Optional.ofNullable(robotCan.cannot().get(BoatCapabilities.PANORAMA))
+                        .map(why -> "may see no targets" + (why.isEmpty() ? "" : ": " + why));
     }
 
     private static Optional<String> unmeasured(BoatCapabilities boatCan, String sensor) {

@@ -13,7 +13,6 @@ import java.util.stream.Collectors;
 import org.sami.boat.link.BoatCapabilities;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.handler.HandlerModules;
-import org.sami.crw.handler.planning.BoatDemands;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.status.BoatTuning;
 import org.sami.spn.model.FieldSource;
@@ -33,6 +32,21 @@ public record MissingCapabilities(List<String> missing) {
     }
 
     /**
+     * A robot, as far as it has said what it is.
+     *
+     * @param isKnown whether it has reported whether it flies
+     */
+    public record Robot(String name, boolean isKnown, boolean flies, BoatCapabilities can) {
+        private static Robot of(BoatSnapshot boat) {
+            return new Robot(
+                    boat.boat(),
+                    boat.pose().isPresent(),
+                    boat.flies(),
+                    boat.settings().map(BoatTuning::capabilities).orElse(BoatCapabilities.UNKNOWN));
+        }
+    }
+
+    /**
      * Goes through all output events for all boats. In a fleet of several kinds a plan chooses for each event who can do it: there only what no robot
      * can do is missing.
      *
@@ -40,31 +54,36 @@ public record MissingCapabilities(List<String> missing) {
      * @param robots what the fleet is
      */
     public static MissingCapabilities of(Plan plan, Project project, Collection<BoatSnapshot> boats, RobotKind robots) {
+        return ofRobots(plan, project, boats.stream().map(Robot::of).toList(), robots);
+    }
+
+    /** The same for robots of which only this is known. */
+    public static MissingCapabilities ofRobots(Plan plan, Project project, Collection<Robot> fleet, RobotKind robots) {
         Set<String> missing = new LinkedHashSet<>();
         withSubMissions(plan, project).stream()
                 .flatMap(one -> one.places().stream())
                 .flatMap(place -> place.outputs().stream())
                 .forEach(event -> {
-                    List<String> reasons = boats.stream()
-                            .flatMap(boat -> missing(boat, event, robots).stream())
+                    List<String> reasons = fleet.stream()
+                            .flatMap(robot -> missing(robot, event, robots).stream())
                             .toList();
                     if (robots != RobotKind.ROBOT) {
                         missing.addAll(reasons);
-                    } else if (!boats.isEmpty() && reasons.size() == boats.size()) {
+                    } else if (!fleet.isEmpty() && reasons.size() == fleet.size()) {
                         missing.add("no robot can do " + event.type() + ": " + String.join(", ", reasons));
                     }
                 });
         return new MissingCapabilities(List.copyOf(missing));
     }
 
-    private static Optional<String> missing(BoatSnapshot boat, OutputEventSpec event, RobotKind robots) {
-        if (robots == RobotKind.ROBOT && boat.pose().isPresent()) {
-            Optional<RobotKind> moved = HandlerModules.moving(event.type());
-            if (moved.isPresent() && moved.get() != robots.of(boat.flies())) {
-                return Optional.of(boat.boat() + (boat.flies() ? " flies" : " does not fly"));
+    private static Optional<String> missing(Robot robot, OutputEventSpec event, RobotKind robots) {
+        if (robots == RobotKind.ROBOT && robot.isKnown()) {
+            Optional<RobotKind> does = HandlerModules.doing(event.type());
+            if (does.isPresent() && does.get() != robots.of(robot.flies())) {
+                return Optional.of(robot.name() + (robot.flies() ? " flies" : " does not fly"));
             }
         }
-        return BoatDemands.missing(boat.boat(), capabilities(boat), event.type(), fixed(event));
+        return HandlerModules.missing(robot.name(), robot.can(), event.type(), fixed(event));
     }
 
     private static Collection<Plan> withSubMissions(Plan plan, Project project) {
@@ -79,10 +98,6 @@ public record MissingCapabilities(List<String> missing) {
             }
         }
         return found.values();
-    }
-
-    private static BoatCapabilities capabilities(BoatSnapshot boat) {
-        return boat.settings().map(BoatTuning::capabilities).orElse(BoatCapabilities.UNKNOWN);
     }
 
     private static Map<String, Value> fixed(OutputEventSpec event) {
