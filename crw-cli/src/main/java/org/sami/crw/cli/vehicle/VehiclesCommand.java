@@ -43,7 +43,9 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Lists the vehicles of other makers (ArduPilot boats, copters) that speak MAVLink at these addresses:"
-                        + " mode, position, battery, GPS, and how well each link hears them. Moves and changes nothing.",
+                        + " mode, position, battery, GPS, and how well each link hears them. Moves nothing and sets no parameter; asks"
+                        + " vehicles for the messages that it reads, which on a slow radio takes unasked streams from"
+                        + " other ground stations on that radio.",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:every link brought a vehicle, also one that is not commanded from here",
