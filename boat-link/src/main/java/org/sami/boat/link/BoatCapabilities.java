@@ -22,6 +22,9 @@ public final class BoatCapabilities {
     /** Gains of its control loops, as {@link SetGains} sets them. */
     public static final String GAINS = SetGains.TYPE;
 
+    /** Ways home around what it is to avoid, as {@link SetWaysHome} sets them. */
+    public static final String WAYS_HOME = SetWaysHome.TYPE;
+
     /** Most channels that are said. */
     public static final int MOST_CHANNELS = 64;
 

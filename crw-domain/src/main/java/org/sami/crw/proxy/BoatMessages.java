@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.BoatCapabilities;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandAsked;
 import org.sami.boat.link.Frame;
@@ -113,6 +114,7 @@ final class BoatMessages {
             condition.home = report.home().map(home -> GeoPoint.of(home.latDeg(), home.lonDeg()));
             condition.error = report.error().map(error -> CrossTrackError.of(error.positionM(), error.driftMps()));
             condition.performance = report.performance();
+            condition.wayHome.isTaken(!report.capabilities().cannot().containsKey(BoatCapabilities.WAYS_HOME));
             settings.reported(report);
         } else if (message instanceof Welcome welcome) {
             welcomed(welcome);

@@ -171,6 +171,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private Map<String, String> cannot() {
         Map<String, String> cannot = new TreeMap<>();
         cannot.put(BoatCapabilities.GAINS, "its gains are parameters of its autopilot");
+        cannot.put(BoatCapabilities.WAYS_HOME, "its autopilot comes home straight, or the way that it came");
         camera.missing().ifPresent(why -> cannot.put(BoatCapabilities.PANORAMA, why));
         return cannot;
     }

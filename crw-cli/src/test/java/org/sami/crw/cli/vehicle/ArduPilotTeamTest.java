@@ -27,7 +27,8 @@ import org.sami.spn.value.GeoPoint;
 
 /**
  * Plans of copters, and of copters and boats in one team, on the real firmware of both: the boats with a depth sounder of their simulator, the copters with a
- * detector on board, which speaks to the autopilot as a companion computer does. Where they truly were their simulators say.
+ * detector on board, which speaks to the autopilot as a companion computer does. A no-go area
+ * lies in their way. Where they truly were their simulators say.
  */
 @Tag("long")
 @Timeout(1200)
@@ -45,7 +46,9 @@ class ArduPilotTeamTest {
 
     private static final LocalFrame WATER =
             new LocalFrame(45.7005, 10.72 + 0.0003 * (COPTERS - 0.5)); // 55 m north of them
-    private static final List<double[]> TARGETS = List.of(place(-18, 12), place(20, -10));
+    private static final List<double[]> TARGETS = List.of(place(-18, 12), place(20, -6));
+    /** Within the area that is searched, between where the vehicles start and most of it. */
+    private static final NoGoRectangle NO_GO = new NoGoRectangle(WATER, -30, -40, 2, -28);
 
     @TempDir
     private Path work;
@@ -108,10 +111,10 @@ class ArduPilotTeamTest {
                 .collect(Collectors.joining(","));
     }
 
-    private CommandResult run(String domain, String plan, String addresses, String... more) {
+    private CommandResult run(String domain, String plan, String addresses, String... more) throws IOException {
         List<String> arguments = new ArrayList<>(List.of(
                 "run",
-                plan,
+                NoGoRectangle.project(domain, plan, NO_GO.typed(), work).toString(),
                 "--domain",
                 domain,
                 "--connect",
@@ -140,6 +143,26 @@ class ArduPilotTeamTest {
                 .toList();
     }
 
+    /** None was within the no-go area, by what their simulators say. */
+    private static void assertOutsideNoGo(List<SimulatorTruth> vehicles) {
+        for (SimulatorTruth vehicle : vehicles) {
+            assertThat(vehicle.gap())
+                    .as("where it was is known for all of the time")
+                    .isEmpty();
+            List<double[]> places = vehicle.placesFrom(0);
+            assertThat(NO_GO.inside(places))
+                    .as("of " + places.size() + " reports")
+                    .isZero();
+        }
+    }
+
+    /** Whether the straight way to some place, from where some vehicle started, leads through the no-go area. */
+    private static boolean liesInTheWay(List<SimulatorTruth> vehicles, List<double[]> places) {
+        return vehicles.stream()
+                .map(vehicle -> vehicle.placesFrom(0).get(0))
+                .anyMatch(start -> places.stream().anyMatch(place -> NO_GO.isCutBy(start, place)));
+    }
+
     private static double nearestM(List<SimulatorTruth> vehicles, double latDeg, double lonDeg) {
         return vehicles.stream()
                 .mapToDouble(truth -> truth.nearestM(latDeg, lonDeg))
@@ -153,6 +176,7 @@ class ArduPilotTeamTest {
         open.add(ArduPilotBoats.with(SOUNDER, BOATS, EACH, SPEED, work));
         open.add(ArduPilotBoats.copters(COPTERS, EACH, SPEED, work));
         List<SimulatorTruth> boats = truths(BOATS);
+        List<SimulatorTruth> copters = truths(COPTERS);
         List<CameraDetector> detectors = detectors(TARGETS);
 
         CommandResult ran = run(
@@ -173,6 +197,9 @@ class ArduPilotTeamTest {
         assertThat(TARGETS)
                 .allSatisfy(target ->
                         assertThat(nearestM(boats, target[0], target[1])).isLessThan(SAMPLED_M));
+        assertThat(liesInTheWay(boats, TARGETS)).isTrue();
+        assertOutsideNoGo(boats);
+        assertOutsideNoGo(copters);
         assertThat(depths().stream().map(row -> row[0]).distinct()).contains("mav" + (BOATS + 1), "mav" + (BOATS + 2));
         assertThat(depths())
                 .allSatisfy(row -> assertThat(Double.parseDouble(row[5])).isCloseTo(DEPTH_M, within(0.1)));
@@ -205,9 +232,16 @@ class ArduPilotTeamTest {
         assertThat(ran.out()).contains("tasks: 3 of 3 complete");
         assertThat(detectors.stream().mapToInt(CameraDetector::said).sum()).isPositive();
         assertThat(rows("decisions.csv")).anyMatch(row -> row[2].equals("ConfirmTarget"));
-        assertThat(rows("locations.csv"))
+        assertThat(locations())
                 .hasSize(3)
-                .allSatisfy(row -> assertThat(nearestM(copters, Double.parseDouble(row[1]), Double.parseDouble(row[2])))
-                        .isLessThan(OVER_M));
+                .allSatisfy(at -> assertThat(nearestM(copters, at[0], at[1])).isLessThan(OVER_M));
+        assertThat(liesInTheWay(copters, locations())).isTrue();
+        assertOutsideNoGo(copters);
+    }
+
+    private List<double[]> locations() throws IOException {
+        return rows("locations.csv").stream()
+                .map(row -> new double[] {Double.parseDouble(row[1]), Double.parseDouble(row[2])})
+                .toList();
     }
 }

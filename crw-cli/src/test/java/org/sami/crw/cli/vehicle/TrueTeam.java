@@ -2,9 +2,7 @@ package org.sami.crw.cli.vehicle;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,7 +10,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.sami.boat.server.testing.Await;
@@ -49,6 +46,7 @@ final class TrueTeam implements AutoCloseable {
     private final int count;
     private final Path work;
     private final LocalFrame frame;
+    private final NoGoRectangle noGo;
     private final ArduPilotBoats boats;
     private final List<SimulatorTruth> truths = new ArrayList<>();
 
@@ -58,6 +56,7 @@ final class TrueTeam implements AutoCloseable {
         this.count = count;
         this.work = work;
         frame = new LocalFrame(45.7, 10.72 + APART_DEG * (first + (count - 1) / 2.0));
+        noGo = new NoGoRectangle(frame, NO_GO.get(0), NO_GO.get(1), NO_GO.get(2), NO_GO.get(3));
         boats = ArduPilotBoats.with(WITHOUT_LOGS, first, count, speed, work);
         for (int i = first; i < first + count; i++) {
             truths.add(truth(i));
@@ -96,13 +95,13 @@ final class TrueTeam implements AutoCloseable {
     CommandResult lead(String plan, List<String> commands) throws IOException {
         List<String> script = new ArrayList<>();
         script.add("wait boats " + count + " within " + (int) START_S);
-        script.add("set @noGo '[" + noGo() + "]'");
+        script.add("set @noGo '" + noGo.typed() + "'");
         script.addAll(commands);
         script.add("wait ended within 600");
         script.add("quit");
         CommandResult led = CommandResult.crw(
                 "session",
-                project(plan).toString(),
+                NoGoRectangle.project("crw", plan, "[]", work).toString(),
                 "--connect",
                 IntStream.range(first, first + count)
                         .mapToObj(i -> ArduPilotBoats.address(i) + "/" + (i + 1))
@@ -116,38 +115,6 @@ final class TrueTeam implements AutoCloseable {
                 work.resolve("journal").toString(),
                 work.resolve("export").toString());
         return led;
-    }
-
-    private String noGo() {
-        double west = NO_GO.get(0);
-        double south = NO_GO.get(1);
-        double east = NO_GO.get(2);
-        double north = NO_GO.get(3);
-        ObjectNode area = JSON.createObjectNode();
-        for (double[] corner : List.of(
-                new double[] {west, south}, new double[] {east, south}, new double[] {east, north}, new double[] {
-                    west, north
-                })) {
-            area.withArrayProperty("outline")
-                    .addObject()
-                    .put("lat", frame.latDeg(corner[0], corner[1]))
-                    .put("lon", frame.lonDeg(corner[0], corner[1]));
-        }
-        return area.toString();
-    }
-
-    /** A plan of the library in a project that has a variable for no-go areas. */
-    private Path project(String plan) throws IOException {
-        try (InputStream library = Objects.requireNonNull(
-                TrueTeam.class.getResourceAsStream("/org/sami/domain/crw/plans/" + plan + ".json"), plan)) {
-            ObjectNode project = (ObjectNode) JSON.readTree(library);
-            project.withArrayProperty("globals")
-                    .addObject()
-                    .put("name", "@noGo")
-                    .put("type", "list<area>")
-                    .putArray("initial");
-            return Files.writeString(work.resolve(plan + ".json"), project.toString());
-        }
     }
 
     /** The place in which each boat was to assemble, as the journal says, in metres east and north. */
@@ -227,14 +194,9 @@ final class TrueTeam implements AutoCloseable {
         long all = 0;
         long inside = 0;
         for (int boat = 0; boat < count; boat++) {
-            List<double[]> track = track(boat, 0);
+            List<double[]> track = truths.get(boat).placesFrom(0);
             all += track.size();
-            inside += track.stream()
-                    .filter(at -> NO_GO.get(0) < at[0]
-                            && at[0] < NO_GO.get(2)
-                            && NO_GO.get(1) < at[1]
-                            && at[1] < NO_GO.get(3))
-                    .count();
+            inside += noGo.inside(track);
         }
         return new long[] {all, inside};
     }

@@ -16,6 +16,7 @@ import org.sami.spn.value.GeoPoint;
  */
 public final class ExpectedWayHome {
     private final Supplier<Optional<GeoPoint>> home;
+    private boolean isTaken = true;
     private String listId = "";
     private List<List<List<GeoPoint>>> ofLegs = List.of(); // each way as the turns before home
     private int leg;
@@ -33,6 +34,16 @@ public final class ExpectedWayHome {
     /** Where the boat returns to, if that is known. */
     Optional<GeoPoint> home() {
         return home.get();
+    }
+
+    /** Whether the boat takes ways home, as far as it has said; it comes straight home where it takes none. */
+    boolean isTaken() {
+        return isTaken;
+    }
+
+    /** The boat says whether it takes ways home. */
+    public void isTaken(boolean now) {
+        isTaken = now;
     }
 
     /** The boat has the ways home from a list. */

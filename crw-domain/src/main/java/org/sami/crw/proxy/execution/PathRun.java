@@ -223,11 +223,14 @@ final class PathRun extends CommandRun {
         return Verdict.GO_ON;
     }
 
-    /** Empty where all of them are straight, or more than a message holds. */
+    /** Empty where all of them are straight, or more than a message holds, and for a boat that takes none. */
     private List<List<List<GeoPoint>>> waysHome() {
         Optional<GeoPoint> from = position.get();
         Optional<GeoPoint> home = wayHome.home();
-        if (from.isEmpty() || home.isEmpty() || path.water().isEmpty()) {
+        if (!wayHome.isTaken()
+                || from.isEmpty()
+                || home.isEmpty()
+                || path.water().isEmpty()) {
             return List.of();
         }
         List<List<List<GeoPoint>>> found = WaysHome.of(
