@@ -8,7 +8,6 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
-import javax.swing.SwingUtilities;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Document;
 import javax.swing.text.PlainDocument;
@@ -31,6 +30,7 @@ import org.sami.ui.look.Spacing;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 import org.sami.ui.value.WrappedText;
+import org.sami.ui.EventThread;
 
 /** The plans of the session's project in its mission tree, one click from a mission; they are searched by what they are called and what they do. */
 public final class PlansPanel extends JPanel {
@@ -93,7 +93,7 @@ public final class PlansPanel extends JPanel {
             startWith.refresh();
             disabled.show(chosen());
             tellAbout();
-            SwingUtilities.invokeLater(table::scrollToSelection); // once the words below, which may take its row's place, are laid out
+            EventThread.later(table::scrollToSelection); // once the words below, which may take its row's place, are laid out
         });
         table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "start");
         table.table().getActionMap().put("start", start);

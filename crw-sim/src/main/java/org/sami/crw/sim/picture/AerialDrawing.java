@@ -55,7 +55,7 @@ final class AerialDrawing {
             view.spot(other.at())
                     .filter(spot -> spot.isSeen(SeenThings.BOAT_M))
                     .ifPresent(spot -> SeenThings.tag(
-                            to, other.name(), spot.x(), spot.y() - TAG_ABOVE_M * spot.scale() - 2, ScenePicture.SMALL));
+                            to, other.name(), spot.x(), spot.y() - TAG_ABOVE_M * spot.scale() - 2, SeenThings.SMALL));
         }
         north();
     }
@@ -188,7 +188,7 @@ final class AerialDrawing {
         arrow.lineTo(-6, 2);
         arrow.closePath();
         fill(Color.WHITE, arrow);
-        to.setFont(ScenePicture.SMALL);
+        to.setFont(SeenThings.SMALL);
         to.drawString("N", -4, 15);
         to.setTransform(before);
     }

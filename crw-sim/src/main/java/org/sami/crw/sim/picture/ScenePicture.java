@@ -32,7 +32,6 @@ public final class ScenePicture {
     private static final double SEEN_M = 220;
     private static final int STRIP_PX = 24;
     private static final String[] WINDS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
-    static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
     private static final Font BOLD = new Font(Font.SANS_SERIF, Font.BOLD, 13);
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss 'UTC'", Locale.ROOT)
             .withZone(ZoneOffset.UTC);
@@ -91,7 +90,7 @@ public final class ScenePicture {
         for (Scene.SeenBoat boat : scene.others()) {
             Spot spot = view.spot(boat.at());
             if (spot.isSeen(SeenThings.BOAT_M) && spot.aheadM() < 2 * SEEN_M) {
-                things.add(new Thing(spot, () -> SeenThings.robot(to, spot, boat, scene.headingRad(), SMALL)));
+                things.add(new Thing(spot, () -> SeenThings.robot(to, spot, boat, scene.headingRad(), SeenThings.SMALL)));
             }
         }
         Spot home = view.spot(scene.home());
@@ -104,7 +103,7 @@ public final class ScenePicture {
 
     /** A scale of bearings along the upper edge, a line each ten degrees. */
     private static void bearings(Graphics2D to, Perspective view, double headingRad) {
-        to.setFont(SMALL);
+        to.setFont(SeenThings.SMALL);
         int from = (int) Math.floor(Math.toDegrees(headingRad) / 10) * 10 - 40;
         for (int degrees = from; degrees <= from + 90; degrees += 10) {
             double x = view.x(Math.toRadians(degrees));
@@ -127,7 +126,7 @@ public final class ScenePicture {
         to.setFont(BOLD);
         String name = shortened(to, scene.boat(), 150);
         to.drawString(name, 10, top + 17);
-        to.setFont(SMALL);
+        to.setFont(SeenThings.SMALL);
         to.drawString(String.format(Locale.ROOT, "%03d° %s", degrees, wind), 172, top + 17);
         to.drawString(
                 String.format(

@@ -20,6 +20,9 @@ final class SeenThings {
     /** Width of the jetty in metres. */
     static final double JETTY_M = 5;
 
+    /** For names and scales. */
+    static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
+
     private static final Color INK = new Color(0x2B3338);
 
     private SeenThings() {}
