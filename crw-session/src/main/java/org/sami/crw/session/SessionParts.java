@@ -61,6 +61,9 @@ final class SessionParts {
         }
         domain = toClose(new SessionDomain(setup, threads, engine, fleet, messages, guard));
         engine.listen(models);
+        if (threads.isRealTime()) { // robots in process can do what plans ask
+            listenForMissing();
+        }
         Optional<SessionMonitor> monitor = threads.isRealTime()
                 ? Optional.of(toClose(new SessionMonitor(
                         engine.host(), journal, fleet.connector(), models.health(), messages, setup.onFault(), guard)))
@@ -86,6 +89,14 @@ final class SessionParts {
 
     private SessionEngine engine() {
         return engine;
+    }
+
+    private void listenForMissing() {
+        FleetConnector connector = fleet.connector();
+        CapabilityWatch missing =
+                new CapabilityWatch(robots, connector::boats, connector.executor(), messages, threads.scheduler());
+        engine.host().addListener(missing);
+        fleet.events().subscribe(missing::take);
     }
 
     /** Restores the operator's log, the wish and the map from earlier processes, and keeps the log from now on. */
