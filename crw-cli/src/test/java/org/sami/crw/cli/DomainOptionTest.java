@@ -72,6 +72,26 @@ class DomainOptionTest {
     }
 
     @Test
+    void experimentOfASearchCountsTheTargetsThatWereSeen() {
+        CommandResult ran = CommandResult.crw(
+                "experiment",
+                "--domain",
+                "uav",
+                "search",
+                "--boats",
+                "3",
+                "--locations",
+                "12",
+                "--seeds",
+                "1",
+                "--conditions",
+                "calm");
+
+        assertThat(ran.exitCode()).as(ran.err()).isZero();
+        assertThat(ran.out()).containsPattern("empty  targets\nsearch .* 12/12 .* [1-9][0-9]*\n");
+    }
+
+    @Test
     void domainOfAFolderIsTakenFromThere() {
         CommandResult tested = CommandResult.crw("test", "--domain", FOLDER, "search");
         CommandResult shown = CommandResult.crw("phases", "--domain", FOLDER, "search");

@@ -11,6 +11,7 @@ import org.sami.crw.report.LocationResult;
 import org.sami.crw.report.NoGoDepth;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.RunReport;
+import org.sami.crw.report.TargetSummary;
 
 /**
  * What came of one run of an experiment. Lengths are metres, areas square metres, measured on where boats truly were.
@@ -21,9 +22,10 @@ import org.sami.crw.report.RunReport;
  * @param coverage the areas that boats were to explore
  * @param distances how near boats came to one another and to what was to be avoided
  * @param emptyBoats how many boats ran out of charge
+ * @param targets how many targets the detectors of robots reported
  */
 public record ExperimentRow(
-        Run run, Ending ending, Visits visits, Coverage coverage, Distances distances, int emptyBoats) {
+        Run run, Ending ending, Visits visits, Coverage coverage, Distances distances, int emptyBoats, int targets) {
     public ExperimentRow {
         Objects.requireNonNull(run, "run");
         Objects.requireNonNull(ending, "ending");
@@ -169,7 +171,8 @@ public record ExperimentRow(
                 Visits.of(report),
                 Coverage.of(report),
                 Distances.of(report),
-                (int) report.boats().stream().filter(ExperimentRow::ranEmpty).count());
+                (int) report.boats().stream().filter(ExperimentRow::ranEmpty).count(),
+                TargetSummary.of(report.readings()).size());
     }
 
     /** The row of a run that the program itself broke. */
@@ -180,7 +183,7 @@ public record ExperimentRow(
     /** The row of a run of which nothing is known but why it failed. */
     static ExperimentRow failed(Run run, String reason) {
         return new ExperimentRow(
-                run, new Ending(RunOutcome.FAILED, reason, 0, 0, ""), Visits.NONE, Coverage.NONE, Distances.NONE, 0);
+                run, new Ending(RunOutcome.FAILED, reason, 0, 0, ""), Visits.NONE, Coverage.NONE, Distances.NONE, 0, 0);
     }
 
     private static boolean ranEmpty(BoatResult boat) {

@@ -8,7 +8,7 @@ import org.sami.crw.report.file.CsvRow;
 
 /** A row as text with every digit of its numbers, and back: another machine prints the same table of it. */
 final class ExperimentRowText {
-    private static final int CELLS = 21;
+    private static final int CELLS = 22;
 
     private ExperimentRowText() {}
 
@@ -34,7 +34,8 @@ final class ExperimentRowText {
                 cell(row.distances().closestM()),
                 cell(row.distances().underWayM()),
                 row.distances().nearMillis(),
-                row.emptyBoats());
+                row.emptyBoats(),
+                row.targets());
     }
 
     private static String cell(OptionalDouble value) {
@@ -77,6 +78,7 @@ final class ExperimentRowText {
                 visits,
                 coverage,
                 new ExperimentRow.Distances(inside, announced, closest, underWay, nearMillis),
+                Integer.parseInt(next.next()),
                 Integer.parseInt(next.next()));
     }
 

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.ToIntFunction;
+import java.util.stream.Stream;
 import org.sami.crw.report.ReportWords;
 import org.sami.crw.report.RunOutcome;
 import org.sami.crw.report.file.CsvRow;
@@ -33,6 +34,9 @@ public final class ExperimentTable {
             "near",
             "empty");
 
+    /** Only of experiments in which a detector reported a target. */
+    private static final String TARGETS = "targets";
+
     private static final String NONE = "-";
 
     private ExperimentTable() {}
@@ -44,11 +48,18 @@ public final class ExperimentTable {
                         List.of(row.run().label(), row.run().conditions()), key -> new ArrayList<>())
                 .add(row));
         List<List<String>> lines = new ArrayList<>();
-        lines.add(HEADER);
-        groups.values().forEach(group -> lines.add(line(group)));
+        boolean haveTargets = rows.stream().anyMatch(row -> row.targets() > 0);
+        lines.add(with(HEADER, TARGETS, haveTargets));
+        groups.values()
+                .forEach(group ->
+                        lines.add(with(line(group), String.valueOf(sum(group, ExperimentRow::targets)), haveTargets)));
         StringBuilder text = new StringBuilder(aligned(lines));
         rows.stream().filter(row -> !row.isGreen()).forEach(row -> text.append(trouble(row)));
         return text.toString();
+    }
+
+    private static List<String> with(List<String> cells, String last, boolean isThere) {
+        return isThere ? Stream.concat(cells.stream(), Stream.of(last)).toList() : cells;
     }
 
     private static List<String> line(List<ExperimentRow> group) {
@@ -130,7 +141,7 @@ public final class ExperimentTable {
         StringBuilder text = new StringBuilder();
         for (List<String> line : lines) {
             StringBuilder padded = new StringBuilder();
-            for (int column = 0; column < HEADER.size(); column++) {
+            for (int column = 0; column < line.size(); column++) {
                 int index = column;
                 int width = lines.stream()
                         .mapToInt(other -> other.get(index).length())
@@ -192,6 +203,7 @@ public final class ExperimentTable {
                 "under_way_m",
                 "near_s",
                 "empty_boats",
+                "targets",
                 "run_hash"));
         for (ExperimentRow row : rows) {
             text.append(CsvRow.of(
@@ -215,6 +227,7 @@ public final class ExperimentTable {
                     cell(row.distances().underWayM()),
                     CsvRow.fixed(row.distances().nearMillis() / 1000.0, 3),
                     row.emptyBoats(),
+                    row.targets(),
                     row.ending().hash()));
         }
         return text.toString();

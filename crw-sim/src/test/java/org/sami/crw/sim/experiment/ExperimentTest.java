@@ -141,6 +141,35 @@ class ExperimentTest {
                         + "than announced: 8.4 m, not 8.3 m at most");
     }
 
+    @Test
+    void tableCountsTargetsOfRunsWhoseDetectorsReportedSome() {
+        List<ExperimentRow> searched = List.of(row("search", 3), row("search", 2), row("clv", 0));
+
+        assertThat(ExperimentTable.text(searched).lines())
+                .satisfiesExactly(
+                        head -> assertThat(head).endsWith("empty  targets"),
+                        search -> assertThat(search).endsWith("0        5"),
+                        clv -> assertThat(clv).endsWith("0        0"));
+        assertThat(ExperimentTable.text(List.of(row("clv", 0)))).doesNotContain("targets");
+        assertThat(ExperimentTable.csv(searched).lines().skip(1))
+                .extracting(line -> line.split(",", -1)[20])
+                .containsExactly("3", "2", "0");
+        assertThat(ExperimentRowText.read(ExperimentRowText.write(searched.get(0))))
+                .isEqualTo(searched.get(0));
+    }
+
+    private static ExperimentRow row(String plan, int targets) {
+        OptionalDouble none = OptionalDouble.empty();
+        return new ExperimentRow(
+                new ExperimentRow.Run(plan, "calm", 1),
+                new ExperimentRow.Ending(RunOutcome.ENDED, "", 0, 60_000, ""),
+                new ExperimentRow.Visits(0, 0, 0, none),
+                new ExperimentRow.Coverage(0, none, 0),
+                new ExperimentRow.Distances(none, none, none, none, 0),
+                0,
+                targets);
+    }
+
     private static ExperimentRow inside(long seed, double insideM, double announcedM) {
         OptionalDouble none = OptionalDouble.empty();
         return new ExperimentRow(
@@ -149,6 +178,7 @@ class ExperimentTest {
                 new ExperimentRow.Visits(0, 0, 0, none),
                 new ExperimentRow.Coverage(0, none, 0),
                 new ExperimentRow.Distances(OptionalDouble.of(insideM), OptionalDouble.of(announcedM), none, none, 0),
+                0,
                 0);
     }
 
