@@ -20,6 +20,7 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.model.DisabledParts;
 import org.sami.spn.model.Plan;
 import org.sami.spn.model.Project;
+import org.sami.ui.EventThread;
 import org.sami.ui.command.Command;
 import org.sami.ui.command.CommandButton;
 import org.sami.ui.command.CommandRow;
@@ -30,7 +31,6 @@ import org.sami.ui.look.Spacing;
 import org.sami.ui.table.RowColumn;
 import org.sami.ui.table.RowTable;
 import org.sami.ui.value.WrappedText;
-import org.sami.ui.EventThread;
 
 /** The plans of the session's project in its mission tree, one click from a mission; they are searched by what they are called and what they do. */
 public final class PlansPanel extends JPanel {
@@ -93,7 +93,8 @@ public final class PlansPanel extends JPanel {
             startWith.refresh();
             disabled.show(chosen());
             tellAbout();
-            EventThread.later(table::scrollToSelection); // once the words below, which may take its row's place, are laid out
+            EventThread.later(
+                    table::scrollToSelection); // once the words below, which may take its row's place, are laid out
         });
         table.table().getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke("ENTER"), "start");
         table.table().getActionMap().put("start", start);

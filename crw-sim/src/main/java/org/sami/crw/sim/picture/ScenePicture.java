@@ -90,7 +90,8 @@ public final class ScenePicture {
         for (Scene.SeenBoat boat : scene.others()) {
             Spot spot = view.spot(boat.at());
             if (spot.isSeen(SeenThings.BOAT_M) && spot.aheadM() < 2 * SEEN_M) {
-                things.add(new Thing(spot, () -> SeenThings.robot(to, spot, boat, scene.headingRad(), SeenThings.SMALL)));
+                things.add(
+                        new Thing(spot, () -> SeenThings.robot(to, spot, boat, scene.headingRad(), SeenThings.SMALL)));
             }
         }
         Spot home = view.spot(scene.home());
