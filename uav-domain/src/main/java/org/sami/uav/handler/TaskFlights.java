@@ -30,7 +30,7 @@ import org.sami.spn.value.TaskId;
 
 /**
  * Flights to the locations of tasks. An aircraft with several flies to the next one when it has no flight and no search of a task any longer, and its battery is not low; what becomes
- * of its tasks where that is low and it is on the ground, {@link GroundedTasks} decides. For the fleet's thread; it passes the engine's steps on to it.
+ * of its tasks where that is low and it is on the ground, {@link LowBatteryTasks} decides. For the fleet's thread; it passes the engine's steps on to it.
  */
 final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMoves {
     private static final Reply REPLY = Reply.way(UavEvents.REACHED_LOCATION, UavEvents.CANNOT_FLY);
@@ -39,7 +39,7 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
     private final Flights flights;
     private final MotionCommands motion;
     private final Executor fleet;
-    private final GroundedTasks grounded;
+    private final LowBatteryTasks lowBattery;
     private final Set<String> keeping;
     private final Map<String, Deque<Waiting>> waiting = new HashMap<>(); // by aircraft
     private final Map<String, Flown> flown = new HashMap<>(); // by aircraft: its last flight
@@ -72,13 +72,13 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
             Flights flights,
             MotionCommands motion,
             Executor fleet,
-            GroundedTasks grounded,
+            LowBatteryTasks lowBattery,
             Set<String> keeping) {
         this.robots = robots;
         this.flights = flights;
         this.motion = motion;
         this.fleet = fleet;
-        this.grounded = grounded;
+        this.lowBattery = lowBattery;
         this.keeping = Set.copyOf(keeping);
     }
 
@@ -99,11 +99,15 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
             Waiting next = queue.peek();
             if (isBusy(aircraft, next)) {
                 return;
-            } else if (isGrounded(aircraft, next)) {
-                giveBack(aircraft, queue);
-                return;
+            } else if (!flights.isCharged(aircraft, next.context)) {
+                boolean inTheAir = flights.isAirborne(aircraft); // or just down: it has not said so yet
+                giveBack(aircraft, inTheAir, queue);
+                if (!inTheAir || queue.isEmpty()) {
+                    return;
+                }
+                next = queue.peek();
             }
-            grounded.flies(aircraft);
+            lowBattery.flies(aircraft);
             queue.remove();
             Optional<String> reason = flights.refusal(next.flight);
             if (reason.isPresent()) {
@@ -131,23 +135,18 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
                 || next.context.query(view -> isKept(aircraft, next.activation.mission(), view));
     }
 
-    /** Whether it is to be charged before it goes anywhere. */
-    private boolean isGrounded(String aircraft, Waiting next) {
-        return !flights.isCharged(aircraft, next.context) && !flights.isAirborne(aircraft);
-    }
-
     /** Once it has said to this base where it is, and how its battery is. */
-    private void giveBack(String aircraft, Deque<Waiting> queue) {
+    private void giveBack(String aircraft, boolean inTheAir, Deque<Waiting> queue) {
         robots.find(aircraft)
                 .map(BoatProxy::status)
                 .filter(status -> status.pose().isPresent())
                 .flatMap(BoatStatus::battery)
                 .ifPresent(battery -> {
-                    List<GroundedTasks.Task> tasks = queue.stream()
+                    List<LowBatteryTasks.Task> tasks = queue.stream()
                             .filter(Waiting::isOpen)
-                            .map(one -> new GroundedTasks.Task(one.activation, one.context, one.task()))
+                            .map(one -> new LowBatteryTasks.Task(one.activation, one.context, one.task()))
                             .toList();
-                    Set<TaskId> back = grounded.giveBack(aircraft, battery, tasks);
+                    Set<TaskId> back = lowBattery.giveBack(aircraft, inTheAir, battery, tasks);
                     queue.removeIf(one -> back.contains(one.task()));
                     if (queue.isEmpty()) {
                         waiting.remove(aircraft);

@@ -62,7 +62,7 @@ public final class UavHandlers implements HandlerModule {
                 flights,
                 parts.motion(),
                 parts.fleet(),
-                new GroundedTasks(parts.messages()),
+                new LowBatteryTasks(parts.messages()),
                 Set.of(UavEvents.SEARCH_AROUND));
         parts.addMotion(UavEvents.FLY_TO, new FlyToHandler(flights, tasks));
         parts.listen((Consumer<FleetEvent>) tasks);

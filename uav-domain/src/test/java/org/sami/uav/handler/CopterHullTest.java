@@ -30,17 +30,26 @@ class CopterHullTest {
     }
 
     @Test
-    void doesNotMoveOverTheGroundBeforeItIsInTheAir() {
+    void takesOffStraightUpAndThenClimbsUnderWay() {
         hull.setMotors(1, 1);
         pass(5);
         assertThat(hull.northM()).isZero();
 
         hull.setAltitude(20);
-        pass(10);
+        pass(6);
+        assertThat(hull.altM().orElseThrow()).isGreaterThan(17);
+        assertThat(hull.northM()).isZero();
 
+        pass(10);
         assertThat(hull.altM()).hasValue(20);
         assertThat(hull.isAtAltitude()).isTrue();
         assertThat(hull.northM()).isGreaterThan(40);
+
+        double before = hull.northM();
+        hull.setAltitude(40);
+        pass(3);
+        assertThat(hull.altM().orElseThrow()).isGreaterThan(25);
+        assertThat(hull.northM()).isGreaterThan(before + 10);
     }
 
     @Test

@@ -34,7 +34,7 @@ class CopterPlansRunTest {
                 of(Run.of("look", 1), "There", "Seen", "All down"),
                 of(
                         Run.of("look", 1)
-                                .charged("38")
+                                .charged("38.8")
                                 .with(Map.of("fly-to.location", "{\"lat\": 45.7, \"lon\": 10.72, \"alt\": 30}")),
                         "There",
                         "Battery low at the location",
@@ -115,6 +115,17 @@ class CopterPlansRunTest {
         assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
         assertThat(report.firings().stream().map(FiringResult::transition)).containsAll(fires);
         assertThat(report.boats()).allMatch(copter -> copter.batteryPercent() > 0);
+    }
+
+    /** They fly to one place, each at an altitude of its own. */
+    @Test
+    void copterComesNoNearerToAnotherThanTheirAltitudesLie() {
+        RunReport report = Run.of("look", 4)
+                .with(Map.of("fly-to.location", "{\"lat\": 45.7, \"lon\": 10.72}"))
+                .report();
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.map().closest().near()).allMatch(pair -> pair.distanceM() > 3);
     }
 
     @Test

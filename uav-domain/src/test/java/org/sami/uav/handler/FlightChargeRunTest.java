@@ -53,6 +53,17 @@ class FlightChargeRunTest {
         assertThat(report.boats()).allMatch(copter -> copter.batteryPercent() > 49);
     }
 
+    /** All turn low within a moment: tasks of the first are allocated to the others, which are on their way home by the time the operator accepts. */
+    @Test
+    void copterThatIsOnItsWayHomeForABatteryGetsItBeforeItSearchesOn() {
+        RunReport report = Run.of("search", 3).charged("36").report();
+
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.boats()).allMatch(copter -> copter.batteryPercent() > 20);
+        assertThat(report.boats()).anyMatch(copter -> copter.recharges() > 0);
+        assertThat(questions(report)).isEmpty();
+    }
+
     /** Its flight is replaced by the one home, which its own plan wants. */
     @Test
     void copterThatAPlanCallsHomeIsNotReportedAsOneThatFailed() {

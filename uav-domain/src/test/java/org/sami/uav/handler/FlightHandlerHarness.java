@@ -233,7 +233,7 @@ final class FlightHandlerHarness implements HandlerContext {
                 flights,
                 motion,
                 Runnable::run,
-                new GroundedTasks(message -> messages.add(message.text())),
+                new LowBatteryTasks(message -> messages.add(message.text())),
                 Set.of());
     }
 

@@ -21,39 +21,45 @@ import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.TaskId;
 
 /**
- * The tasks of aircraft that stand on the ground with a battery that is low, as one whose battery turned low after the allocation was computed. Where the plan
- * allocates a task anew that has lost its aircraft, it is given back; else it waits until the aircraft is charged. The operator is told of both, once. For the
- * fleet's thread.
+ * The tasks of aircraft whose batteries are low, as of one whose battery turned low after the allocation was computed, or that is on its way home for another one.
+ * Where the plan allocates a task anew that has lost its aircraft, it is given back. Else it waits until an aircraft on the ground is charged, and is flown by one
+ * in the air, which nobody calls home. The operator is told of what is given back, and of what waits, once. For the fleet's thread.
  */
-final class GroundedTasks {
+final class LowBatteryTasks {
     private final MessageSink messages;
     private final Map<String, Set<TaskId>> told = new HashMap<>(); // by aircraft: those that wait
 
-    GroundedTasks(MessageSink messages) {
+    LowBatteryTasks(MessageSink messages) {
         this.messages = messages;
     }
 
     /** A task whose aircraft is to fly to its location. */
     record Task(Activation activation, HandlerContext context, TaskId id) {}
 
-    /** Gives back those of the tasks of an aircraft that the plan allocates anew, and returns them; the others wait. */
-    Set<TaskId> giveBack(String aircraft, BatteryState battery, List<Task> tasks) {
+    /** Gives back those of the tasks of an aircraft that the plan allocates anew, and returns them; the others are left. */
+    Set<TaskId> giveBack(String aircraft, boolean inTheAir, BatteryState battery, List<Task> tasks) {
         List<Task> returned =
                 tasks.stream().filter(task -> isAllocatedAnew(task, aircraft)).toList();
         if (!returned.isEmpty()) {
             Map<TaskId, Optional<String>> toNobody = new LinkedHashMap<>();
             returned.forEach(task -> toNobody.put(task.id, Optional.empty()));
             returned.get(0).context.post(List.of(new Input.AllocateTasks(toNobody)));
-            tell(aircraft, battery, returned, "given back and allocated anew");
+            tell(aircraft, inTheAir, battery, returned, "given back and allocated anew");
         }
+        if (!inTheAir) {
+            tellOfWaiting(aircraft, battery, tasks, returned);
+        }
+        return returned.stream().map(Task::id).collect(Collectors.toSet());
+    }
+
+    private void tellOfWaiting(String aircraft, BatteryState battery, List<Task> tasks, List<Task> returned) {
         Set<TaskId> known = told.computeIfAbsent(aircraft, name -> new HashSet<>());
         List<Task> news = tasks.stream()
                 .filter(task -> !returned.contains(task) && known.add(task.id))
                 .toList();
         if (!news.isEmpty()) {
-            tell(aircraft, battery, news, "kept until it is charged");
+            tell(aircraft, false, battery, news, "kept until it is charged");
         }
-        return returned.stream().map(Task::id).collect(Collectors.toSet());
     }
 
     /** An aircraft flies: what it has then waits no longer. */
@@ -85,13 +91,14 @@ final class GroundedTasks {
                 .anyMatch(edge -> edge.place().equals(place) && takers.contains(edge.transition()));
     }
 
-    private void tell(String aircraft, BatteryState battery, List<Task> tasks, String what) {
+    private void tell(String aircraft, boolean inTheAir, BatteryState battery, List<Task> tasks, String what) {
         Task first = tasks.get(0);
         String names = tasks.stream().map(task -> task.id.name()).collect(Collectors.joining(", "));
         String text = String.format(
                 Locale.ROOT,
-                "%s stays on the ground, as its battery is %s (%.0f %%): %s %s %s",
+                "%s %s, as its battery is %s (%.0f %%): %s %s %s",
                 aircraft,
+                inTheAir ? "flies to no task any more" : "stays on the ground",
                 battery.level().name().toLowerCase(Locale.ROOT),
                 battery.percent(),
                 names,

@@ -1,6 +1,7 @@
 package org.sami.uav.handler;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
@@ -13,13 +14,13 @@ import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.TaskId;
 
 /** Tasks that were allocated to an aircraft whose battery had turned low meanwhile, on the ground. */
-class GroundedTasksTest {
+class LowBatteryTasksTest {
     private static final List<TaskId> TASKS = List.of(new TaskId(1, "Search 1"), new TaskId(1, "Search 2"));
 
     private final FlightHandlerHarness harness = new FlightHandlerHarness(1);
     private final TaskFlights tasks = harness.taskFlights();
 
-    GroundedTasksTest() {
+    LowBatteryTasksTest() {
         harness.listen(tasks);
         harness.pass(5);
     }
@@ -57,6 +58,39 @@ class GroundedTasksTest {
 
         charge(100);
         assertThat(harness.altM("copter1")).isZero();
+    }
+
+    /** It has nothing to fly at the moment, as one that has just come home and has not said yet that it is down. */
+    @Test
+    void oneInTheAirWithALowBatteryIsSentToNoTaskThatThePlanAllocatesAnew() {
+        harness.plan = UavRuns.DOMAIN.combined().plan("search");
+        harness.place = "fly";
+        GeoPoint ground = harness.flights.position("copter1").orElseThrow();
+        harness.activate(
+                new FlyToHandler(harness.flights, tasks),
+                Map.of("location", Flights.at(ground, 20)),
+                List.<Token>of(new Token.Proxy("copter1")));
+        harness.pass(60);
+        charge(30);
+        assertThat(harness.altM("copter1")).isGreaterThan(10);
+        GeoPoint there = harness.flights.position("copter1").orElseThrow();
+        TaskId far = new TaskId(1, "Search 3");
+        harness.allocation.put(far, "copter1");
+        harness.tasks.put(far, Map.of());
+        harness.activate(
+                new FlyToHandler(harness.flights, tasks),
+                Map.of("location", new GeoPoint(there.latDeg() + 0.002, there.lonDeg(), 20)),
+                List.<Token>of(new Token.Task(far)));
+        harness.pass(30);
+
+        assertThat(harness.allocation).doesNotContainKey(far);
+        assertThat(harness.messages)
+                .last()
+                .asString()
+                .startsWith("copter1 flies to no task any more, as its battery is low (")
+                .endsWith("Search 3 is given back and allocated anew");
+        assertThat(harness.flights.position("copter1").orElseThrow().latDeg())
+                .isCloseTo(there.latDeg(), within(0.0003));
     }
 
     @Test
