@@ -8,6 +8,9 @@ public final class CommandEpoch {
     /** Nobody has ever commanded the boat with a number. */
     public static final CommandEpoch NONE = new CommandEpoch(0, "", "");
 
+    /** Session of an appointment of somebody who is no base: a pilot, another ground station or the own failsafe of a vehicle of another maker. */
+    public static final String NO_BASE = "no-base";
+
     /** A claim may be so much above a boat's number: one at the end of the range would keep out everybody else for good. */
     public static final long MOST_AHEAD = 1_000_000_000L;
 

@@ -8,6 +8,7 @@ import java.util.Optional;
 /** A boat's answer to {@link Hello}: its name, its start, and the client's role. */
 public final class Welcome extends LinkMessage {
     static final String TYPE = "welcome";
+    private static final String NO_BASE = "noBase";
 
     private final String boatId;
     private final String bootId;
@@ -57,7 +58,8 @@ public final class Welcome extends LinkMessage {
     }
 
     private static CommandEpoch epoch(Fields in) throws LinkException {
-        return new CommandEpoch(in.integer("epoch"), "", in.textOrEmpty("heldBy"));
+        return new CommandEpoch(
+                in.integer("epoch"), in.flagOrFalse(NO_BASE) ? CommandEpoch.NO_BASE : "", in.textOrEmpty("heldBy"));
     }
 
     /** The boat. */
@@ -91,7 +93,8 @@ public final class Welcome extends LinkMessage {
     }
 
     /**
-     * Who was appointed commander last, and the number of that appointment, without the session: a client that takes the command names a higher number.
+     * Who was appointed commander last, and the number of that appointment, without the session, but for {@link CommandEpoch#NO_BASE}: a client that takes the command names a
+     * higher number.
      * Empty for boats of the link of before.
      */
     public Optional<CommandEpoch> epoch() {
@@ -116,6 +119,9 @@ public final class Welcome extends LinkMessage {
         if (epoch.isPresent()) {
             out.writeNumberField("epoch", epoch.get().number());
             out.writeStringField("heldBy", epoch.get().clientId());
+            if (epoch.get().session().equals(CommandEpoch.NO_BASE)) {
+                out.writeBooleanField(NO_BASE, true);
+            }
         }
     }
 }

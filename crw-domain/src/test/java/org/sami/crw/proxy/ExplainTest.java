@@ -167,7 +167,7 @@ class ExplainTest {
                 "",
                 "",
                 false,
-                Optional.of(new CommandEpoch(2, "", "its own failsafe (HOLD)"))));
+                Optional.of(new CommandEpoch(2, CommandEpoch.NO_BASE, "its own failsafe (HOLD)"))));
 
         assertThat(boat.proxy.explain().text())
                 .isEqualTo("boat1 moves at 1.5 m/s: its own failsafe (HOLD) commands the boat");

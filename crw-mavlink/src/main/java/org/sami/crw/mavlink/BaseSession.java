@@ -140,10 +140,10 @@ final class BaseSession implements VehicleConnection.Receiver {
         takenBy = who;
         if (commands) {
             commands = false;
-            newest = newest.next("", who);
+            newest = newest.next(CommandEpoch.NO_BASE, who);
             welcome(Role.OBSERVER);
         } else if (isNews && isGreeted()) { // the same controller in another mode: no appointment of its own
-            newest = new CommandEpoch(Math.max(1, newest.number()), "", who);
+            newest = new CommandEpoch(Math.max(1, newest.number()), CommandEpoch.NO_BASE, who);
             welcome(Role.OBSERVER);
         }
     }
@@ -184,7 +184,7 @@ final class BaseSession implements VehicleConnection.Receiver {
             boolean leaves = commands;
             commands = false;
             if (!takenBy.isEmpty() && newest.clientId().isEmpty()) {
-                newest = newest.next("", takenBy);
+                newest = newest.next(CommandEpoch.NO_BASE, takenBy);
             }
             welcome(Role.OBSERVER);
             if (leaves) {

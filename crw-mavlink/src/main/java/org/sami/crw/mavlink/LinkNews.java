@@ -51,8 +51,9 @@ record LinkNews(Priority weight, String text) {
         if (event instanceof VehicleEvent.SharedId shared) {
             return Optional.of(new LinkNews(
                     Priority.CRITICAL,
-                    "two vehicles answer as " + vehicle + " on " + shared.link() + ": as long as they do, nothing but a"
-                            + " stop is sent there. Give each a system id of its own (ArduPilot: MAV_SYSID or"
+                    "two vehicles answer as " + vehicle + " on " + shared.link() + ": as long as they do, motors are"
+                            + " stopped on the ground, and nothing else is sent there, to one in the air not even a stop:"
+                            + " take its radio control. Give each a system id of its own (ArduPilot: MAV_SYSID or"
                             + " SYSID_THISMAV)"));
         }
         return Optional.empty();

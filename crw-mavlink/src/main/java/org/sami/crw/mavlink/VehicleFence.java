@@ -56,6 +56,7 @@ final class VehicleFence {
     private boolean busy;
     private long notBeforeMs;
     private String lastFault = "";
+    private boolean hasOtherKinds; // than those that were in force when it was switched on
     private boolean mustSwitch; // its parameters alone do not put it in force again
     private boolean isWatched; // whether it is in force; not where it switches its fence by itself
     private int kinds = POLYGONS; // of its fence, bits of FENCE_TYPE
@@ -137,7 +138,7 @@ final class VehicleFence {
         boolean isSet = settled.filter(fence -> !fence.isEmpty()).isPresent() && !busy;
         if (isSet && isWatched && isOff && nowMs - sinceMs >= (wasOn ? SWITCHED_MS : IN_FORCE_MS)) {
             mustSwitch = true;
-            changedByOthers("switched off by a command or by a switch of its radio control, " + ENABLE + " is 1");
+            changedByOthers("switched off by a command or by a switch of its radio control");
         }
     }
 
@@ -209,10 +210,28 @@ final class VehicleFence {
             give(List.of(FenceItems.text(fence)));
             if (mustSwitch) {
                 switchOn(fence);
+            } else if (hasOtherKinds) {
+                putKindsInForce(fence);
             } else {
                 done(fence);
             }
         });
+    }
+
+    /** A fence that was in force before keeps the kinds that it had then, until it is switched on anew. */
+    private void putKindsInForce(List<MissionItem> fence) {
+        Results.when(
+                base.parameter(id, BY_ITSELF),
+                thread,
+                when -> {
+                    if (when == 0) {
+                        switchOn(fence);
+                    } else {
+                        hasOtherKinds = false; // it puts them in force when it takes off
+                        done(fence);
+                    }
+                },
+                unknown -> done(fence));
     }
 
     /** Whoever has set it to 1 has no effect with that where it was 1. */
@@ -223,6 +242,7 @@ final class VehicleFence {
                 outcome -> {
                     if (outcome.isAccepted()) {
                         mustSwitch = false;
+                        hasOtherKinds = false;
                         done(fence);
                     } else {
                         failed(outcome.inWords());
@@ -251,7 +271,10 @@ final class VehicleFence {
                         Results.when(
                                 base.setParameter(id, value.getKey(), asked),
                                 thread,
-                                set -> set(values, then),
+                                set -> {
+                                    hasOtherKinds |= value.getKey().equals(TYPE);
+                                    set(values, then);
+                                },
                                 this::failed);
                     }
                 },

@@ -117,7 +117,7 @@ class ReplacedVehicleTest {
         assertThat(boat.mission().uploads()).isZero();
         switchBoatOff();
         try (SmallCopter copter = copterInTheAir()) {
-            client.untilAlarm("mav7 was a boat, and a copter answers with its number now");
+            client.untilAlarm("mav7 was a surface boat, and a copter answers with its number now");
 
             Await.holds(
                     "it is sent nothing",

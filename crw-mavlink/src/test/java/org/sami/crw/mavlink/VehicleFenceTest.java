@@ -143,6 +143,20 @@ class VehicleFenceTest {
         assertThat(FenceItems.isHeld(FENCE, boat.fence().items())).isTrue();
     }
 
+    /** A fence in force keeps the kinds that it had when it was switched on, whatever FENCE_TYPE is set to. */
+    @Test
+    void areasAreInForceWhereTheOwnersFenceWasSwitchedOnBeforeWithoutPolygons() {
+        boat.parameter("FENCE_TYPE", 2);
+        boat.parameter("FENCE_ENABLE", 1);
+        Await.until(
+                "the owner's is on", () -> boat.fence().isOn() && boat.fence().kinds() == 2);
+
+        client.keepTo(Optional.of(WATER), List.of(ROCK));
+        isInForce();
+
+        Await.until("with polygons", () -> (boat.fence().kinds() & 4) != 0);
+    }
+
     /** As ArduPilot's DO_FENCE_ENABLE and its switch do: no parameter tells it. */
     @Test
     void fenceThatIsSwitchedOffWithoutAParameterIsAnAlarmAndPutInForceAgain() {
@@ -155,7 +169,7 @@ class VehicleFenceTest {
             }
             return client.hasAlarm(
                     "the fence of vehicle 5 was changed by somebody else (switched off by a command or by"
-                            + " a switch of its radio control, FENCE_ENABLE is 1); that of this session is set again");
+                            + " a switch of its radio control); that of this session is set again");
         });
 
         Await.until("it is in force again", () -> boat.fence().isOn());

@@ -146,7 +146,9 @@ final class HandWay {
         command.water()
                 .ifPresent(water ->
                         WayDanger.of(from, command.points(), water).forEach(danger -> doubts.add(danger.words())));
-        Optional<WayDoubt> doubt = WayCheck.doubt(way).or(() -> start.flightDoubt(command));
+        Optional<WayDoubt> flight = start.flightDoubt(command);
+        Optional<WayDoubt> doubt =
+                WayCheck.doubt(way).map(first -> first.and(flight)).or(() -> flight);
         doubt.ifPresent(one -> doubts.add(one.words()));
         start.home()
                 .flatMap(home -> WayBack.of(way, home))

@@ -463,7 +463,7 @@ public final class SmallBoat implements AutoCloseable {
             return;
         }
         bootMs += STEP_MS;
-        fence.enable(parameters.value("FENCE_ENABLE"));
+        fence.set(parameters.value("FENCE_ENABLE"), parameters.value("FENCE_TYPE"));
         fence.tick(bootMs);
         mission.question().ifPresent(this::send);
         boolean beginsAgain = mission.takeChange() && armed && mode == SmallBoatMotion.AUTO;

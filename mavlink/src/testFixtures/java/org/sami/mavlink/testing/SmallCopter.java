@@ -315,7 +315,7 @@ public final class SmallCopter implements AutoCloseable {
 
     private synchronized void step() {
         bootMs += STEP_MS;
-        fence.enable(parameters.value("FENCE_ENABLE"));
+        fence.set(parameters.value("FENCE_ENABLE"), parameters.value("FENCE_TYPE"));
         fence.tick(bootMs);
         mission.question().ifPresent(this::send);
         if (armed && mode == GUIDED) {

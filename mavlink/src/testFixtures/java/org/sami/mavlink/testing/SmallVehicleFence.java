@@ -28,6 +28,8 @@ public final class SmallVehicleFence {
     private int uploads;
     private int refusedCorner = -1;
     private boolean outside;
+    private int type;
+    private int kinds;
     private boolean on; // in force
     private double enable; // FENCE_ENABLE
 
@@ -64,6 +66,12 @@ public final class SmallVehicleFence {
     /** Somebody puts it in force, or out of force, by a command or a switch of the radio control; {@code FENCE_ENABLE} stays as it is. */
     public synchronized void switched(boolean now) {
         on = now;
+        kinds = type;
+    }
+
+    /** Its kinds in force, in bits of {@code FENCE_TYPE}: those that it had when it was switched on last. */
+    public synchronized int kinds() {
+        return kinds;
     }
 
     /** Whether it is in force. */
@@ -72,10 +80,12 @@ public final class SmallVehicleFence {
     }
 
     /** Its parameter is so: another value than before switches it. */
-    synchronized void enable(double value) {
+    synchronized void set(double value, double newType) {
+        type = (int) newType;
         if (Double.compare(enable, value) != 0) {
             enable = value;
             on = value > 0;
+            kinds = type;
         }
     }
 

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.sami.crw.handler.activation.ActivationMessages;
+import org.sami.crw.handler.activation.EventNames;
 import org.sami.crw.message.MessageSink;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.spn.engine.EngineView;
@@ -38,8 +39,9 @@ final class LowBatteryTasks {
 
     /** Gives back those of the tasks of an aircraft that the plan allocates anew, and returns them; the others are left. */
     Set<TaskId> giveBack(String aircraft, boolean inTheAir, BatteryState battery, List<Task> tasks) {
-        List<Task> returned =
-                tasks.stream().filter(task -> isAllocatedAnew(task, aircraft)).toList();
+        List<Task> returned = tasks.stream()
+                .filter(task -> isAllocatedAnew(task, aircraft) && (!inTheAir || isCalledHome(task)))
+                .toList();
         if (!returned.isEmpty()) {
             Map<TaskId, Optional<String>> toNobody = new LinkedHashMap<>();
             returned.forEach(task -> toNobody.put(task.id, Optional.empty()));
@@ -74,6 +76,16 @@ final class LowBatteryTasks {
                         && planOf(activation, view)
                                 .filter(plan -> takesLost(plan, activation.place()))
                                 .isPresent());
+    }
+
+    /** Else it would hover without a task until its battery is empty. */
+    private static boolean isCalledHome(Task task) {
+        return task.context.query(view -> planOf(task.activation, view)
+                .filter(plan -> plan.transitions().stream()
+                        .flatMap(transition -> transition.inputs().stream())
+                        .anyMatch(input -> input.type().equals(EventNames.BATTERY_LOW)
+                                || input.type().equals(EventNames.BATTERY_CRITICAL)))
+                .isPresent());
     }
 
     private static Optional<Plan> planOf(Activation activation, EngineView view) {

@@ -199,10 +199,43 @@ class FlightChargesTest {
     @Test
     void nextTaskWaitsWhileTheOperatorIsAskedAboutTheOneBeforeIt() {
         charge(36);
-        List<TaskId> all = List.of(new TaskId(1, "Far"), new TaskId(1, "Near"));
+        flyTasks(Map.of("Far", 900.0, "Near", 20.0), List.of("Far", "Near"));
+        assertThat(asked()).hasSize(1);
+        assertThat(harness.altM("copter1")).isZero();
+
+        harness.answer(false);
+        harness.pass(30);
+        assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY, UavEvents.REACHED_LOCATION);
+        assertThat(Stream.of("copter1").map(harness::altM)).allMatch(altM -> altM > 10);
+    }
+
+    @Test
+    void answerAboutOneTaskIsNoneAboutTheNext() {
+        charge(36);
+        flyTasks(Map.of("Far", 900.0, "Farther", 1000.0), List.of("Far", "Farther"));
+
+        harness.answer(false);
+        harness.pass(30);
+
+        assertThat(asked()).hasSize(2);
+        assertThat(asked().get(1)).isNotEqualTo(asked().get(0));
+        assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY);
+    }
+
+    @Test
+    void placeThatIsFarAwayAndAChargeThatDoesNotLastAreOneQuestion() {
+        charge(60);
+        flyTo(7_000);
+
+        assertThat(asked()).singleElement().asString().contains("copter1 is to go 7.0 km", "; copter1 needs ");
+    }
+
+    /** One activation has the copter fly to tasks one after another, each so far to the north. */
+    private void flyTasks(Map<String, Double> metres, List<String> names) {
+        List<TaskId> all = names.stream().map(name -> new TaskId(1, name)).toList();
         all.forEach(task -> {
             harness.allocation.put(task, "copter1");
-            harness.tasks.put(task, Map.of("location", north(task.name().equals("Far") ? 900 : 20)));
+            harness.tasks.put(task, Map.of("location", north(metres.get(task.name()))));
         });
         harness.activate(
                 (activation, context) -> {
@@ -212,7 +245,7 @@ class FlightChargesTest {
                                 context,
                                 new Flights.Flight(
                                         new Addressee("copter1", false, List.of(task)),
-                                        List.of(north(task.name().equals("Far") ? 900 : 20)),
+                                        List.of(north(metres.get(task.name()))),
                                         Flights.SPEED_MPS));
                     }
                     tasks.startWaiting();
@@ -220,12 +253,5 @@ class FlightChargesTest {
                 Map.of(),
                 all.stream().<Token>map(Token.Task::new).toList());
         harness.pass(30);
-        assertThat(asked()).hasSize(1);
-        assertThat(harness.altM("copter1")).isZero();
-
-        harness.answer(false);
-        harness.pass(30);
-        assertThat(harness.answered()).containsExactly(UavEvents.CANNOT_FLY, UavEvents.REACHED_LOCATION);
-        assertThat(Stream.of("copter1").map(harness::altM)).allMatch(altM -> altM > 10);
     }
 }

@@ -114,8 +114,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                     && !context.orderedAgain()
                     && known.filter(was -> was == CommandMemory.SENT).isPresent()) {
                 sentBefore.add(move);
-            } else if (!move.isOver(activation, context)
-                    && answers.refuse(move.addressee().boat())) {
+            } else if (!move.isOver(activation, context) && answers.refuse(move)) {
                 refuse(activation, context, move, WayQuestions.REJECTED_WAY);
             } else if (!move.isOver(activation, context)) {
                 unknown.add(move);
@@ -160,6 +159,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         }
         UnaskedMoves.Judged judged = unasked.judge(activation, context, move, from.get());
         if (judged.refusal().isEmpty()) {
+            replaceHeld(activation, move);
             submit(activation, context, List.of(judged.move()), false);
         }
         return judged.refusal();

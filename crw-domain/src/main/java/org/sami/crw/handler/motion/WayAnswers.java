@@ -4,30 +4,34 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.sami.crw.decision.DomainQuestion;
+import org.sami.crw.handler.activation.CommandMemory;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.value.BooleanValue;
 
-/** What the operator has answered about the ways on which an activation sends boats, in the mission's memory: nobody is asked again after a restart. */
+/**
+ * What the operator has answered about the ways on which an activation sends boats, in the mission's memory: nobody is asked again after a restart. Of moves that a
+ * boat makes one after another, as to its tasks, each has an answer of its own.
+ */
 record WayAnswers(Activation activation, HandlerContext context) {
-    /** Whether a boat may go; empty where that was not asked. Journals from before 2026-11-28 keep one answer for all boats of the activation. */
-    Optional<Boolean> of(DomainQuestion kind, String boat) {
-        return at(key(kind, boat)).or(() -> at(key(kind)));
+    /** Whether a move may be made; empty where that was not asked. Journals from before 2026-11-28 keep one answer for all boats of the activation. */
+    Optional<Boolean> of(DomainQuestion kind, Move move) {
+        return at(key(kind, move)).or(() -> at(key(kind)));
     }
 
-    /** Whether a boat may not go, whatever was doubted. */
-    boolean refuse(String boat) {
+    /** Whether a move may not be made, whatever was doubted. */
+    boolean refuse(Move move) {
         return Arrays.stream(DomainQuestion.values())
                 .filter(DomainQuestion::isAboutWays)
-                .flatMap(kind -> of(kind, boat).stream())
+                .flatMap(kind -> of(kind, move).stream())
                 .anyMatch(yes -> !yes);
     }
 
-    /** Has the mission remember the answer for each boat. */
-    void remember(DomainQuestion kind, List<String> boats, boolean yes) {
-        context.post(boats.stream()
-                .<Input>map(boat -> new Input.Remember(activation.mission(), key(kind, boat), new BooleanValue(yes)))
+    /** Has the mission remember the answer for each move. */
+    void remember(DomainQuestion kind, List<Move> moves, boolean yes) {
+        context.post(moves.stream()
+                .<Input>map(move -> new Input.Remember(activation.mission(), key(kind, move), new BooleanValue(yes)))
                 .toList());
     }
 
@@ -41,7 +45,10 @@ record WayAnswers(Activation activation, HandlerContext context) {
         return "way/" + kind.kind() + "/" + activation.id();
     }
 
-    private String key(DomainQuestion kind, String boat) {
-        return key(kind) + "/" + boat;
+    private String key(DomainQuestion kind, Move move) {
+        String boat = move.addressee().boat();
+        String id = move.command().commandId();
+        String usual = CommandMemory.id(activation, boat);
+        return key(kind) + "/" + boat + (id.startsWith(usual) ? id.substring(usual.length()) : "");
     }
 }

@@ -63,7 +63,7 @@ record WayQuestion(
     Optional<WayQuestion> takeAnswered(boolean yes) {
         List<Doubted> answered = doubted.stream()
                 .filter(one -> answers()
-                        .of(kind, one.boat())
+                        .of(kind, one.move())
                         .filter(known -> known == yes)
                         .isPresent())
                 .toList();
@@ -73,9 +73,9 @@ record WayQuestion(
                 : Optional.of(new WayQuestion(kind, activation, context, sender, new ArrayList<>(answered)));
     }
 
-    /** Has the mission remember the operator's answer for each boat, so that nobody is asked again after a restart of the base. */
+    /** Has the mission remember the operator's answer for each move, so that nobody is asked again after a restart of the base. */
     void remember(boolean yes) {
-        answers().remember(kind, doubted.stream().map(Doubted::boat).toList(), yes);
+        answers().remember(kind, doubted.stream().map(Doubted::move).toList(), yes);
     }
 
     private WayAnswers answers() {

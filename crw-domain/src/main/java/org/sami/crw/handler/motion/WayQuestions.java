@@ -90,10 +90,9 @@ public final class WayQuestions implements HostListener {
         for (Move move : moves) {
             Optional<Way> way = way(activation, move, avoid);
             Optional<WayDoubt> futile = returns.doubt(move);
-            Optional<WayDoubt> doubt = move.doubt()
-                    .or(() -> futile)
-                    .or(() -> way.flatMap(WayCheck::doubt))
-                    .or(() -> flights.doubt(activation, move));
+            Optional<WayDoubt> doubt = move.doubt().or(() -> futile).or(() -> way.flatMap(WayCheck::doubt));
+            Optional<WayDoubt> flight = flights.doubt(activation, move);
+            doubt = doubt.map(first -> first.and(flight)).or(() -> flight);
             Optional<WayBack> back = doubt.isPresent() ? Optional.empty() : way.flatMap(this::wayBack);
             if (back.isPresent() && !back.get().isSure() && asksForWayHome(activation, context, move)) {
                 doubt = Optional.of(

@@ -50,7 +50,7 @@ final class Claim {
 
     /** Who was appointed last that is no base: a pilot, another ground station or a failsafe of an autopilot, as the boat names them. */
     Optional<String> controller() {
-        return holder().filter(name -> newest.session().isEmpty());
+        return holder().filter(name -> newest.session().equals(CommandEpoch.NO_BASE));
     }
 
     /** Whether the boat numbers its commanders; boats of the link of before do not. */

@@ -1,6 +1,7 @@
 package org.sami.crw.service.reach;
 
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * What is wrong with a way.
@@ -23,5 +24,11 @@ public record WayDoubt(Kind kind, String words) {
     public WayDoubt {
         Objects.requireNonNull(kind, "kind");
         Objects.requireNonNull(words, "words");
+    }
+
+    /** The same with what else is wrong with the way: both are read before either is answered. */
+    public WayDoubt and(Optional<WayDoubt> other) {
+        return other.map(more -> new WayDoubt(kind, words + "; " + more.words()))
+                .orElse(this);
     }
 }

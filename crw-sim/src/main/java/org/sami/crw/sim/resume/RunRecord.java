@@ -47,6 +47,9 @@ public record RunRecord(
      */
     private static final String PRESENT_DRIVING = "10";
 
+    /** The same of runs with copters: 10 flying off before they are up, and never asked about for their charge. */
+    private static final String PRESENT_FLYING = "11";
+
     private static final String SOURCE = "source";
     private static final String ANSWERS_FILE = "answersFile";
     private static final String DOMAIN_FOLDER = "domainFolder";
@@ -87,7 +90,7 @@ public record RunRecord(
         map.put(KIND, settings.isConnected() ? TCP : IN_PROCESS);
         map.put(SOURCE, source);
         if (!settings.isConnected()) {
-            map.put(DRIVING, PRESENT_DRIVING);
+            map.put(DRIVING, present(map));
         }
         start.ifPresent(begun -> {
             map.put(STARTED_AT, begun.at().toString());
@@ -132,12 +135,17 @@ public record RunRecord(
         }
     }
 
+    private static String present(Map<String, String> settings) {
+        return SettingsMap.hasCopters(settings) ? PRESENT_FLYING : PRESENT_DRIVING;
+    }
+
     /** Why the run of a header cannot be gone through again; empty where it can. */
     static Optional<String> otherDriving(JournalHeader header) {
         String driving = header.settings().getOrDefault(DRIVING, "1");
-        return IN_PROCESS.equals(header.settings().get(KIND)) && !driving.equals(PRESENT_DRIVING)
+        String present = present(header.settings());
+        return IN_PROCESS.equals(header.settings().get(KIND)) && !driving.equals(present)
                 ? Optional.of("it is of a program whose simulated boats drove otherwise (version " + driving
-                        + " of driving, this one's is " + PRESENT_DRIVING
+                        + " of driving, this one's is " + present
                         + "), so the run cannot be gone on with; crw journal and crw export read it")
                 : Optional.empty();
     }

@@ -35,6 +35,11 @@ public final class SettingsMap {
 
     private SettingsMap() {}
 
+    /** Whether robots that fly are among those of settings that were written. */
+    public static boolean hasCopters(Map<String, String> map) {
+        return RobotKind.COPTER.word().equals(map.get(ROBOTS)) || Integer.parseInt(map.getOrDefault(COPTERS, "0")) > 0;
+    }
+
     /** As text by name. */
     public static Map<String, String> write(RunSettings settings) {
         Map<String, String> map = new TreeMap<>();
