@@ -231,7 +231,7 @@ final class VehicleFence {
                         done(fence);
                     }
                 },
-                unknown -> done(fence));
+                unknown -> switchOn(fence)); // not all firmware does it by itself
     }
 
     /** Whoever has set it to 1 has no effect with that where it was 1. */
@@ -272,7 +272,8 @@ final class VehicleFence {
                                 base.setParameter(id, value.getKey(), asked),
                                 thread,
                                 set -> {
-                                    hasOtherKinds |= value.getKey().equals(TYPE);
+                                    hasOtherKinds = value.getKey().equals(TYPE)
+                                            || (hasOtherKinds && !value.getKey().equals(ENABLE));
                                     set(values, then);
                                 },
                                 this::failed);
