@@ -124,6 +124,7 @@ class GroundStationFenceTest {
         assertThat(boat.base().mode()).isEqualTo(BoatMode.HOLD);
 
         CommandPlace inside = new CommandPlace(LAT + 0.0006, LON, 0);
+        station.setMode(BOAT, "GUIDED").join();
         assertThat(station.command(BOAT, VehicleCommand.reposition(inside, Optional.empty()))
                         .join()
                         .isAccepted())

@@ -112,6 +112,7 @@ class GroundStationLinkTest {
                     "its last item is told", () -> seen(station).currentItem().equals(Optional.of(3)));
 
             CommandPlace start = new CommandPlace(BoatWithStation.LAT, BoatWithStation.LON, 0);
+            assertThat(station.setMode(BOAT, "GUIDED").join().isAccepted()).isTrue();
             assertThat(give(station, VehicleCommand.reposition(start, Optional.of(3.0)))
                             .isAccepted())
                     .isTrue();
