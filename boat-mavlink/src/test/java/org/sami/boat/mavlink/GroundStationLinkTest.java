@@ -254,6 +254,10 @@ class GroundStationLinkTest {
             CommandPlace near = new CommandPlace(BoatWithStation.LAT + 0.001, BoatWithStation.LON, 0);
             assertThat(give(station, VehicleCommand.reposition(near, Optional.empty()))
                             .inWords())
+                    .contains("choose GUIDED first");
+            station.setMode(BOAT, "GUIDED").join();
+            assertThat(give(station, VehicleCommand.reposition(near, Optional.empty()))
+                            .inWords())
                     .contains("anna is not armed");
             assertThat(station.setMode(BOAT, "STEERING").join().inWords()).contains("it has MANUAL, HOLD");
             assertThatThrownBy(() -> station.replace(
