@@ -3,6 +3,7 @@ package org.sami.boat.mavlink;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
@@ -233,6 +234,14 @@ class GroundStationLinkTest {
         }
     }
 
+    /** As ground stations send it that choose no mode before. */
+    private static VehicleCommand changingTheMode(VehicleCommand reposition) {
+        List<Double> params = new ArrayList<>(reposition.params());
+        params.set(1, 1.0);
+        return new VehicleCommand(
+                reposition.number(), reposition.does(), params, reposition.place(), reposition.newestWins());
+    }
+
     @Test
     void refusesWhatABoatCannotDo() throws Exception {
         try (BoatWithStation boat = BoatWithStation.patient();
@@ -244,7 +253,7 @@ class GroundStationLinkTest {
             assertThat(give(station, VehicleCommand.of(400, "arm", 2)).verdict())
                     .isEqualTo(CommandVerdict.DENIED);
             CommandPlace far = new CommandPlace(10, 10, 0);
-            assertThat(give(station, VehicleCommand.reposition(far, Optional.empty()))
+            assertThat(give(station, changingTheMode(VehicleCommand.reposition(far, Optional.empty())))
                             .inWords())
                     .contains("km away");
             assertThat(station.setMode(BOAT, "AUTO").join().inWords()).contains("there is no mission");
