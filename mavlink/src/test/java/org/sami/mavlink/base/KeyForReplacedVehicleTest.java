@@ -2,18 +2,12 @@ package org.sami.mavlink.base;
 
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.time.Instant;
-import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.SlowableClock;
-import org.sami.mavlink.address.AddressText;
-import org.sami.mavlink.link.LinkSigning;
-import org.sami.mavlink.link.SigningKey;
 import org.sami.mavlink.testing.SmallBoat;
 import org.sami.mavlink.testing.SmallCopter;
 import org.sami.mavlink.vehicle.VehicleId;
@@ -23,21 +17,12 @@ import org.sami.mavlink.vehicle.VehicleKind;
 @Timeout(300)
 class KeyForReplacedVehicleTest {
     private static final VehicleId ID = new VehicleId(7, 1);
-    private static final byte[] SECRET = new byte[SigningKey.BYTES];
-
-    static {
-        SECRET[0] = 1; // none of zeros alone is a key
-    }
 
     @Test
     void givingAKeyFailsAtOnceWhereAnotherVehicleAnswers() throws Exception {
-        LinkSigning signing = new LinkSigning(new SigningKey(SECRET), Instant::now, LinkSigning.Unsigned.TAKEN);
         SlowableClock clock = new SlowableClock();
         SmallBoat boat = new SmallBoat(7, 45.7, 10.72, 1);
-        try (MavlinkBase base = new MavlinkBase(
-                List.of(AddressText.parse(boat.address())),
-                clock,
-                new MavlinkBaseOptions(Optional.empty(), Optional.of(signing)))) {
+        try (MavlinkBase base = KeyGivingBase.linked(boat, clock)) {
             Await.until("it is heard", () -> !base.vehicles().join().isEmpty());
             CompletableFuture<Void> giving = base.giveKey(ID);
             clock.slow(true); // no try ends meanwhile

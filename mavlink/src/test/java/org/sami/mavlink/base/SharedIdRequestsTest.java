@@ -3,17 +3,12 @@ package org.sami.mavlink.base;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.time.Instant;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.sami.boat.server.testing.Await;
 import org.sami.boat.server.testing.SlowableClock;
-import org.sami.mavlink.address.AddressText;
-import org.sami.mavlink.link.LinkSigning;
-import org.sami.mavlink.link.SigningKey;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.testing.SensorMessages;
 import org.sami.mavlink.testing.SmallBoat;
@@ -23,21 +18,12 @@ import org.sami.mavlink.vehicle.VehicleId;
 @Timeout(300)
 class SharedIdRequestsTest {
     private static final VehicleId ID = new VehicleId(7, 1);
-    private static final byte[] SECRET = new byte[SigningKey.BYTES];
-
-    static {
-        SECRET[0] = 1; // none of zeros alone is a key
-    }
 
     @Test
     void noListParameterOrKeyIsChanged() throws Exception {
-        LinkSigning signing = new LinkSigning(new SigningKey(SECRET), Instant::now, LinkSigning.Unsigned.TAKEN);
         SlowableClock clock = new SlowableClock();
         try (SmallBoat boat = new SmallBoat(7, 45.7, 10.72, 1);
-                MavlinkBase base = new MavlinkBase(
-                        List.of(AddressText.parse(boat.address())),
-                        clock,
-                        new MavlinkBaseOptions(Optional.empty(), Optional.of(signing)))) {
+                MavlinkBase base = KeyGivingBase.linked(boat, clock)) {
             int[] sinceBootMs = {90_000_000};
             Await.until("two are noticed", () -> {
                 sinceBootMs[0] += 250;
