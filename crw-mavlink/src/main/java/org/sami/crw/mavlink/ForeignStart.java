@@ -18,6 +18,11 @@ final class ForeignStart {
         wasArmed = armed;
     }
 
+    /** Who armed it is known better now. */
+    void known(String who) {
+        by = by.map(before -> who);
+    }
+
     /**
      * This is how the vehicle reports itself. What the operator must know of it now: that it was armed by others, then, once, that it moves.
      *

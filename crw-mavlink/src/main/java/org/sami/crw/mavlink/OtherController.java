@@ -1,9 +1,11 @@
 package org.sami.crw.mavlink;
 
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.sami.mavlink.vehicle.StatusText;
+import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
@@ -33,13 +35,34 @@ final class OtherController {
     private static final Set<String> COPTER_BY_STICKS =
             Set.of("STABILIZE", "ACRO", ALT_HOLD, "LOITER", "POSHOLD", "DRIFT", "SPORT", "FLIP");
 
+    private final RadioControl radio;
+    private final RadioOrStation person;
+    private String named = ""; // the person named last
     private String words = ""; // of its last failsafe
     private long saidMs;
     private long batterySaidMs = Long.MIN_VALUE / 2;
     private long batteryFailedMs = Long.MIN_VALUE / 2;
 
+    OtherController(RadioControl radio) {
+        this.radio = radio;
+        person = new RadioOrStation(radio);
+    }
+
+    /** A base has come, or somebody has taken the vehicle: reads what its radio control does. */
+    void read() {
+        radio.read();
+    }
+
+    /** Something happened to the vehicle; whether it tells more of which person controls it. */
+    boolean happened(VehicleEvent event, long atMs) {
+        if (event instanceof VehicleEvent.Said said) {
+            said(said.text(), atMs);
+        }
+        return person.happened(event, atMs);
+    }
+
     /** The autopilot said something. */
-    void said(StatusText text, long atMs) {
+    private void said(StatusText text, long atMs) {
         String lower = text.text().toLowerCase(Locale.ROOT);
         if (ACTS.matcher(lower).find() && !DOES_NOTHING.matcher(lower).find()) {
             words = text.text();
@@ -50,6 +73,7 @@ final class OtherController {
 
     /** It reports itself in another way than before. */
     void reported(VehicleSnapshot before, VehicleSnapshot now, long atMs) {
+        person.reported(before, now, atMs);
         if (isBatteryFailing(now) && !isBatteryFailing(before)) {
             batteryFailedMs = atMs;
         }
@@ -57,6 +81,7 @@ final class OtherController {
 
     /** Its autopilot has started again: no failsafe of before is in force. */
     void restarted() {
+        radio.restarted();
         words = "";
         batterySaidMs = Long.MIN_VALUE / 2;
         batteryFailedMs = Long.MIN_VALUE / 2;
@@ -83,12 +108,12 @@ final class OtherController {
 
     /** Who has changed its state, in words for the operator. */
     String who(VehicleSnapshot vehicle, long atMs) {
-        String state = vehicle.armed() ? vehicle.mode() : vehicle.mode() + ", disarmed";
+        String state = state(vehicle);
         if (vehicle.health().outsideFence()) {
             return "its own failsafe, outside of its fence (" + state + ")";
         }
         if (isBySticks(vehicle) && !vehicle.mode().equals(ALT_HOLD)) { // no failsafe goes there
-            return person(state);
+            return person(vehicle, state, atMs);
         }
         if (!words.isEmpty() && (atMs - saidMs < WORDS_MS || vehicle.health().failsafe())) {
             return "its own failsafe \"" + words + "\" (" + state + ")";
@@ -96,10 +121,29 @@ final class OtherController {
         if (vehicle.health().failsafe()) {
             return "its own failsafe (" + state + ")";
         }
-        return atMs - batteryFailedMs < WORDS_MS ? "its own failsafe, for its battery (" + state + ")" : person(state);
+        return atMs - batteryFailedMs < WORDS_MS
+                ? "its own failsafe, for its battery (" + state + ")"
+                : person(vehicle, state, atMs);
     }
 
-    private static String person(String state) {
-        return "a pilot or another ground station (" + state + ")";
+    /**
+     * Who has changed its state, as far as it is known better by now than it was.
+     *
+     * @param before who was named last, in words of {@link #who}
+     */
+    Optional<String> better(String before, VehicleSnapshot vehicle, long atMs) {
+        if (person.isCertain() || !before.equals(named)) {
+            return Optional.empty();
+        }
+        return Optional.of(person(vehicle, state(vehicle), atMs)).filter(now -> !now.equals(before));
+    }
+
+    private static String state(VehicleSnapshot vehicle) {
+        return vehicle.armed() ? vehicle.mode() : vehicle.mode() + ", disarmed";
+    }
+
+    private String person(VehicleSnapshot vehicle, String state, long atMs) {
+        named = person.who(vehicle, atMs) + " (" + state + ")";
+        return named;
     }
 }

@@ -56,7 +56,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehicleFiles files;
     private final VehicleSensors sensors = new VehicleSensors();
     private final VehicleTargets targets;
-    private final OtherController others = new OtherController();
+    private final OtherController others;
     private final ForeignStart start;
     private final VehicleTexts texts;
     private boolean isReplaced; // another vehicle has its id, and what is kept is that one's
@@ -82,6 +82,7 @@ final class VehicleBoat implements BaseSession.Boat {
         start = new ForeignStart(name, first.armed());
         kind = first.kind();
         flies = kind == VehicleKind.COPTER;
+        others = new OtherController(new RadioControl(base, first.id(), kind, thread));
         this.files = files;
         kept = new ForeignFiles(name, files, first.number().orElse(""), flies);
         settings = new VehicleSettings(
@@ -255,6 +256,9 @@ final class VehicleBoat implements BaseSession.Boat {
             sayTaken(told, who);
             told.takenBy(who);
         });
+        if (taken) {
+            others.read();
+        }
         Optional<String> news = start.seen(now, taken || isTheirs, orders.isLatched(), who);
         session.ifPresent(told -> news.ifPresent(text -> {
             told.say(Priority.CRITICAL, text);
@@ -262,6 +266,15 @@ final class VehicleBoat implements BaseSession.Boat {
                 told.takenBy(who);
             }
         }));
+    }
+
+    /** What was heard tells more of who has it. */
+    private void learnedWho(long atMs) {
+        session.flatMap(told -> others.better(told.takenBy(), vehicle, atMs)).ifPresent(who -> {
+            start.known(who);
+            urgent(name + " is controlled by " + who);
+            session.ifPresent(told -> told.takenBy(who));
+        });
     }
 
     /** Whether this vehicle is another one than that whose list and state were read, as its number tells, which it has said late. */
@@ -307,6 +320,9 @@ final class VehicleBoat implements BaseSession.Boat {
 
     /** Something happened to it. */
     void happened(VehicleEvent event, long atMs) {
+        if (others.happened(event, atMs)) {
+            learnedWho(atMs);
+        }
         if (event instanceof VehicleEvent.Restarted) {
             settings.read();
             performance.read();
@@ -323,7 +339,6 @@ final class VehicleBoat implements BaseSession.Boat {
         } else if (event instanceof VehicleEvent.Said said) {
             texts.weigh(said.text(), orders.causes(said.text()), atMs)
                     .ifPresent(weight -> session.ifPresent(told -> told.say(weight, texts.words(said.text()))));
-            others.said(said.text(), atMs);
             orders.happened(event);
         } else if (event instanceof VehicleEvent.Measured measured) {
             VehicleReports.reading(vehicle, measured.reading(), Math.max(0, atMs))
@@ -459,6 +474,7 @@ final class VehicleBoat implements BaseSession.Boat {
         Progress progress = orders.progress();
         broadcast(progress);
         camera.read();
+        others.read();
         settings.failsafe().askSoon();
         fence.askSoon();
         if (!flies) { // copters are not steered around others

@@ -137,7 +137,8 @@ class ArduPilotBoatTest {
 
                 Await.until("it is taken", MISSION_S, () -> world.is(BOAT, boat -> !boat.isCommanding()));
                 assertThat(world.alarms)
-                        .anyMatch(alarm -> alarm.startsWith(BOAT + " is taken by a pilot or another ground station"));
+                        .anyMatch(alarm ->
+                                alarm.startsWith(BOAT + " is taken by a ground station that is not heard here"));
                 world.tell(BOAT, boat -> boat.handOver().takeCommand());
                 Await.until(
                         "it has its own path again",
@@ -176,7 +177,8 @@ class ArduPilotBoatTest {
 
                 Await.until("it is taken", MISSION_S, () -> world.is(BOAT, boat -> !boat.isCommanding()));
                 assertThat(world.alarms)
-                        .anyMatch(alarm -> alarm.startsWith(BOAT + " is taken by a pilot or another ground station"))
+                        .anyMatch(alarm ->
+                                alarm.startsWith(BOAT + " is taken by a ground station that is not heard here"))
                         .anyMatch(alarm -> alarm.endsWith("it holds another mission than it was given"));
                 assertThat(world.has(FleetEvent.Progressed.class, news -> news.visited() > 1))
                         .isFalse();

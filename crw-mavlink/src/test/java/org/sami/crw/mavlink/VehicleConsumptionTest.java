@@ -46,7 +46,7 @@ class VehicleConsumptionTest {
                 Optional.of(at),
                 Optional.of(new VehicleBattery(Optional.empty(), Optional.of(percent))),
                 Optional.empty(),
-                new VehicleHealth(true, false, false, Optional.empty(), List.of()),
+                new VehicleHealth(true, false, false, Optional.empty(), true, List.of()),
                 Optional.empty(),
                 Optional.empty(),
                 List.of(),
@@ -54,6 +54,7 @@ class VehicleConsumptionTest {
                 List.of(),
                 List.of(),
                 nowMs,
+                List.of(),
                 Optional.empty());
     }
 

@@ -1,9 +1,16 @@
 package org.sami.mavlink.base;
 
 import io.dronefleet.mavlink.common.CommandAck;
+import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.common.MavMissionResult;
+import io.dronefleet.mavlink.common.MavResult;
 import io.dronefleet.mavlink.common.MissionAck;
 import io.dronefleet.mavlink.common.MissionRequest;
 import io.dronefleet.mavlink.common.MissionRequestInt;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.util.OptionalInt;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.sami.mavlink.link.MavlinkLink;
 
 /**
@@ -11,6 +18,21 @@ import org.sami.mavlink.link.MavlinkLink;
  * has the base's own ids cannot be told from it. What a vehicle holds is the same for all: an item that another station has asked for counts.
  */
 final class AnswerTargets {
+    /** Commands that change what a vehicle does. */
+    private static final Set<Integer> CHANGING = Set.of(
+                    MavCmd.MAV_CMD_DO_SET_MODE,
+                    MavCmd.MAV_CMD_COMPONENT_ARM_DISARM,
+                    MavCmd.MAV_CMD_MISSION_START,
+                    MavCmd.MAV_CMD_NAV_TAKEOFF,
+                    MavCmd.MAV_CMD_NAV_LAND,
+                    MavCmd.MAV_CMD_NAV_RETURN_TO_LAUNCH,
+                    MavCmd.MAV_CMD_NAV_LOITER_UNLIM,
+                    MavCmd.MAV_CMD_DO_REPOSITION,
+                    MavCmd.MAV_CMD_DO_SET_MISSION_CURRENT)
+            .stream()
+            .map(command -> EnumValue.of(command).value())
+            .collect(Collectors.toUnmodifiableSet());
+
     private AnswerTargets() {}
 
     /** Whether a message answers another ground station. One that names none, as older firmware and MAVLink 1 do, may be for the base. */
@@ -26,6 +48,21 @@ final class AnswerTargets {
             return isAnother(it.targetSystem(), it.targetComponent());
         }
         return false;
+    }
+
+    /** The system id of another ground station that a message tells the vehicle has obeyed: it has taken a command or a list of it. */
+    static OptionalInt obeyed(Object message) {
+        if (message instanceof CommandAck it
+                && it.result().entry() == MavResult.MAV_RESULT_ACCEPTED
+                && CHANGING.contains(it.command().value())
+                && isForAnother(it)) {
+            return OptionalInt.of(it.targetSystem());
+        } else if (message instanceof MissionAck it
+                && it.type().entry() == MavMissionResult.MAV_MISSION_ACCEPTED
+                && isForAnother(it)) {
+            return OptionalInt.of(it.targetSystem());
+        }
+        return OptionalInt.empty();
     }
 
     private static boolean isAnother(int system, int component) {

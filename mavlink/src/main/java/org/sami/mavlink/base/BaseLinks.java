@@ -4,6 +4,7 @@ import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
+import java.security.SecureRandom;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -24,8 +25,10 @@ import org.sami.mavlink.vehicle.RadioSignals;
 /** The links of a base: receives on all of them, sends on one. Safe for use by several threads. */
 final class BaseLinks implements AutoCloseable {
     private static final int LINK_IDS = 256; // of signatures
+    private static final long MARKS = 1L << 32;
     private static final int UNHANDLED = 2_000; // messages that may wait; a link that brings more waits itself
 
+    private final long mark; // in this base's heartbeats, where ground stations have no mode
     private final Executor owner;
     private final BiConsumer<MavlinkAddress, ReceivedMessage> handle;
     private final Semaphore room = new Semaphore(UNHANDLED);
@@ -47,6 +50,7 @@ final class BaseLinks implements AutoCloseable {
         this.owner = owner;
         this.handle = handle;
         this.signing = signing;
+        mark = new SecureRandom().nextLong(1, MARKS);
         addresses.forEach(this::add);
     }
 
@@ -120,8 +124,16 @@ final class BaseLinks implements AutoCloseable {
                 .autopilot(MavAutopilot.MAV_AUTOPILOT_INVALID)
                 .systemStatus(MavState.MAV_STATE_ACTIVE)
                 .mavlinkVersion(3)
+                .customMode(mark)
                 .build();
         links.forEach(link -> link.send(heartbeat));
+    }
+
+    /** Whether a message is this base's own heartbeat, which vehicles and routers may pass on to another of its links. Another station may have the same ids. */
+    boolean isOwnHeartbeat(Object payload) {
+        return payload instanceof Heartbeat beat
+                && beat.type().entry() == MavType.MAV_TYPE_GCS
+                && beat.customMode() == mark;
     }
 
     @Override

@@ -269,6 +269,9 @@ public final class MavlinkBase implements AutoCloseable {
     }
 
     private void handle(MavlinkAddress from, ReceivedMessage message) {
+        if (links.isOwnHeartbeat(message.payload())) {
+            return;
+        }
         long now = nowMs.getAsLong();
         VehicleId id = new VehicleId(message.system(), message.component());
         List<VehicleEvent> events = table.heard(
@@ -284,6 +287,10 @@ public final class MavlinkBase implements AutoCloseable {
             requests.take(id, message, events, now); // signed with the right key, or the link had refused it
         }
         tell(events);
+        if (table.has(id) && !table.isForeign(id, from)) {
+            AnswerTargets.obeyed(message.payload())
+                    .ifPresent(station -> tell(List.of(new VehicleEvent.ObeyedStation(id, station))));
+        }
         if (events.stream().anyMatch(VehicleEvent.Replaced.class::isInstance)) {
             requests.replaced(id); // once who asked knows why
         }

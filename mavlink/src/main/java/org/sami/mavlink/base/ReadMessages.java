@@ -21,6 +21,7 @@ import io.dronefleet.mavlink.common.MissionRequestInt;
 import io.dronefleet.mavlink.common.NamedValueFloat;
 import io.dronefleet.mavlink.common.NamedValueInt;
 import io.dronefleet.mavlink.common.ParamValue;
+import io.dronefleet.mavlink.common.RcChannels;
 import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
@@ -53,7 +54,8 @@ final class ReadMessages {
             MissionCount.class,
             MissionItemInt.class,
             MissionAck.class,
-            ParamValue.class);
+            ParamValue.class,
+            RcChannels.class);
 
     private ReadMessages() {}
 }

@@ -27,6 +27,7 @@ public record VehicleCommand(
     private static final int SWITCH_FENCE = 207;
     private static final int SET_CURRENT = 224;
     static final int ARM_DISARM = 400;
+    private static final int SEND_ONCE = 512;
     private static final int REBOOT = 246;
     private static final int TAKE_PICTURES = 2_000;
     private static final int TRIGGER_CAMERA = 203;
@@ -132,6 +133,11 @@ public record VehicleCommand(
     public static VehicleCommand sendEvery(int message, double seconds) {
         double us = seconds < 0 ? -1 : seconds * US;
         return made(SEND_EVERY, "send message " + message, false, message, us);
+    }
+
+    /** Asks for a message once, now. */
+    public static VehicleCommand sendOnce(int message) {
+        return made(SEND_ONCE, "send message " + message + " once", false, message);
     }
 
     /**

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.function.IntFunction;
 
 /** The names of ArduPilot's modes; the numbers of another autopilot's modes mean something else. */
-final class ModeNames {
+public final class ModeNames {
     private static final int HIGHEST = 100; // ArduPilot's modes end far below
 
     private static final Map<Integer, String> OF_BOATS =
@@ -50,6 +50,11 @@ final class ModeNames {
             case COPTER -> name(OF_COPTERS, customMode);
             default -> other(customMode); // its modes are not those of boats or copters
         };
+    }
+
+    /** The name of a mode of ArduPilot as pilots write it; {@code mode N} where it is not known. */
+    public static String ofArduPilot(VehicleKind kind, long number) {
+        return of(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, kind, number);
     }
 
     private static String name(Map<Integer, String> names, long customMode) {

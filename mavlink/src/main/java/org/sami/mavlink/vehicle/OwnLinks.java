@@ -1,6 +1,7 @@
 package org.sami.mavlink.vehicle;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -88,6 +89,11 @@ final class OwnLinks {
     /** Whether a link is one of the vehicle's. */
     boolean has(MavlinkAddress link) {
         return own.contains(link);
+    }
+
+    /** The vehicle's links. */
+    Set<MavlinkAddress> links() {
+        return Collections.unmodifiableSet(own);
     }
 
     /** The number of its autopilot that it said last; empty where it has not said one. */

@@ -1,5 +1,6 @@
 package org.sami.mavlink.vehicle;
 
+import java.util.List;
 import java.util.Optional;
 import org.sami.mavlink.address.MavlinkAddress;
 
@@ -49,6 +50,25 @@ public sealed interface VehicleEvent {
 
     /** It says what one of its parameters is: to who asked, or to all as somebody has set it. */
     record ParameterReported(VehicleId vehicle, String name, double value) implements VehicleEvent {}
+
+    /**
+     * It says what it receives from a pilot's radio control.
+     *
+     * @param pulsesUs the pulse of each channel from the first one on, microseconds; 0 where it has none. Empty where no radio control is received
+     */
+    record RadioHeard(VehicleId vehicle, List<Integer> pulsesUs) implements VehicleEvent {
+        /** Pulses. */
+        public RadioHeard {
+            pulsesUs = List.copyOf(pulsesUs);
+        }
+    }
+
+    /**
+     * It has obeyed another ground station, whose answer came on a link of this base too.
+     *
+     * @param station the system id of that station
+     */
+    record ObeyedStation(VehicleId vehicle, int station) implements VehicleEvent {}
 
     /**
      * Its camera was triggered, whoever asked for it.

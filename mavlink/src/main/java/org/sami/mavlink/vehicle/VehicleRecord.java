@@ -9,6 +9,7 @@ import io.dronefleet.mavlink.common.GpsRawInt;
 import io.dronefleet.mavlink.common.MissionCurrent;
 import io.dronefleet.mavlink.common.MissionItemReached;
 import io.dronefleet.mavlink.common.ParamValue;
+import io.dronefleet.mavlink.common.RcChannels;
 import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
@@ -174,6 +175,8 @@ final class VehicleRecord {
             health = health.withFence(fence.breachStatus() != 0);
         } else if (payload instanceof MissionCurrent current && current.seq() < MOST_ITEMS) {
             current(current, nowMs, events);
+        } else if (payload instanceof RcChannels radio) {
+            events.add(new VehicleEvent.RadioHeard(id, RadioPulses.of(radio)));
         } else if (payload instanceof ParamValue parameter) {
             events.add(new VehicleEvent.ParameterReported(id, parameter.paramId(), parameter.paramValue()));
         } else {
@@ -330,7 +333,8 @@ final class VehicleRecord {
         texts.addLast(text);
     }
 
-    VehicleSnapshot snapshot() {
+    /** @param stations other ground stations on its links */
+    VehicleSnapshot snapshot(OtherStations stations) {
         return new VehicleSnapshot(
                 id,
                 VehicleKind.of(type),
@@ -349,6 +353,7 @@ final class VehicleRecord {
                 own.unsettled(),
                 List.copyOf(texts),
                 heardMs,
+                stations.on(own.links(), heardMs),
                 numberSaid ? Optional.of(own.number().orElse("")) : Optional.empty());
     }
 

@@ -19,6 +19,7 @@ import org.sami.mavlink.address.MavlinkAddress;
  * @param unsettled links on which something speaks with its id that is not recognized: these, and those where that is not known yet
  * @param texts what it has said last, oldest first
  * @param heardMs when it was heard last, on the base's clock
+ * @param stations the system ids of other ground stations that were heard on its links within the last 5 s, ascending; one with the base's own id counts too
  * @param number the number of its autopilot; empty text where it has none, empty where it has not said it since it was heard first, was silent or has started
  *     again
  */
@@ -40,6 +41,7 @@ public record VehicleSnapshot(
         List<MavlinkAddress> unsettled,
         List<StatusText> texts,
         long heardMs,
+        List<Integer> stations,
         Optional<String> number) {
 
     /** The links on which it is heard, the one on which it is spoken to first. */

@@ -15,11 +15,12 @@ import org.sami.mavlink.address.MavlinkAddress;
 /** The vehicles that have been heard on the links of a base. Used by one thread. */
 public final class VehicleTable {
     private final TreeMap<VehicleId, VehicleRecord> vehicles = new TreeMap<>();
+    private final OtherStations stations = new OtherStations();
     private RadioSignals radios = RadioSignals.NONE;
 
     /**
      * A message came from a component of a system; one that is no autopilot (a ground station, a gimbal, a radio) makes no
-     * vehicle. What the camera of a system follows is told of its vehicles.
+     * vehicle. What the camera of a system follows is told of its vehicles. A ground station's heartbeat counts as another station's: the base leaves out its own.
      *
      * @return what happened to the vehicle by it
      */
@@ -27,6 +28,9 @@ public final class VehicleTable {
         VehicleId id = new VehicleId(from.system(), from.component());
         List<VehicleEvent> events = new ArrayList<>();
         VehicleRecord known = vehicles.get(id);
+        if (payload instanceof Heartbeat beat && beat.type().entry() == MavType.MAV_TYPE_GCS) {
+            stations.heard(from.link(), from.system(), nowMs);
+        }
         if (known == null && payload instanceof Heartbeat beat && isVehicle(beat)) {
             known = new VehicleRecord(id, nowMs);
             known.links().radios(radios);
@@ -51,12 +55,12 @@ public final class VehicleTable {
 
     /** All vehicles, by their ids. */
     public List<VehicleSnapshot> vehicles() {
-        return vehicles.values().stream().map(VehicleRecord::snapshot).toList();
+        return vehicles.values().stream().map(known -> known.snapshot(stations)).toList();
     }
 
     /** What is known of one vehicle; empty where it was not heard. */
     public Optional<VehicleSnapshot> vehicle(VehicleId id) {
-        return Optional.ofNullable(vehicles.get(id)).map(VehicleRecord::snapshot);
+        return Optional.ofNullable(vehicles.get(id)).map(known -> known.snapshot(stations));
     }
 
     /** The number of a mode of a vehicle by its name; empty where it was not heard, or has none of this name. */

@@ -40,6 +40,7 @@ public final class SmallBoat implements AutoCloseable {
     private static final int SEND_EVERY = 511;
     private static final int TAKE_PICTURES = 2000;
     private static final int REQUEST_MESSAGE = 512;
+    private static final int RC_CHANNELS = 65;
     private static final int AUTOPILOT_VERSION = 148;
     private static final int POSITION = 33; // the number of its message
 
@@ -57,6 +58,7 @@ public final class SmallBoat implements AutoCloseable {
     });
     private final SmallVehicleParameters parameters = SmallVehicleParameters.ofBoat(this::send);
     private final SmallVehicleFence fence = new SmallVehicleFence(this::send);
+    private final SmallVehicleRadio radio = new SmallVehicleRadio();
     private final SmallBoatReports reports = new SmallBoatReports(this::send);
     private final SmallBoatFaults faults = new SmallBoatFaults();
     private int mode = SmallBoatMotion.HOLD;
@@ -90,6 +92,8 @@ public final class SmallBoat implements AutoCloseable {
         number = new SmallBoatNumber(system);
         link = new SmallVehicleLink(system, port, faults::isCut, message -> heard(message, link()));
         secondLink = new SmallVehicleLink(system, 0, () -> secondCut, message -> heard(message, second()));
+        link.passHeartbeatsTo(secondLink);
+        secondLink.passHeartbeatsTo(link);
         link.start();
         secondLink.start();
         var unused = steps.scheduleWithFixedDelay(this::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS);
@@ -197,6 +201,11 @@ public final class SmallBoat implements AutoCloseable {
         return parameters.value(name);
     }
 
+    /** Whether it was asked for one of its parameters. */
+    public synchronized boolean wasAsked(String name) {
+        return parameters.wasAsked(name);
+    }
+
     /** Somebody sets one of its parameters on board. */
     public synchronized void parameter(String name, float value) {
         parameters.set(name, value);
@@ -211,6 +220,16 @@ public final class SmallBoat implements AutoCloseable {
     public synchronized void takenByPilot(int newMode, boolean nowArmed) {
         mode = newMode;
         armed = nowArmed;
+    }
+
+    /** Another ground station that shares its link changes its mode, and maybe arms it: the answer to that station is heard by all there. */
+    public synchronized void obeys(int station, int newMode, boolean nowArmed) {
+        send(CommandAck.builder()
+                .command(EnumValue.create(MavCmd.class, SET_MODE))
+                .result(MavResult.MAV_RESULT_ACCEPTED)
+                .targetSystem(station)
+                .build());
+        takenByPilot(newMode, nowArmed);
     }
 
     /** Its battery is low: as ArduPilot's boats do, it warns, has an unhealthy battery from then on, and changes its mode. Its heartbeats are as before. */
@@ -275,6 +294,11 @@ public final class SmallBoat implements AutoCloseable {
     /** The fence that it holds. */
     public SmallVehicleFence fence() {
         return fence;
+    }
+
+    /** Its receiver of a pilot's radio control. */
+    public SmallVehicleRadio radio() {
+        return radio;
     }
 
     /** Its autopilot starts again: disarmed in HOLD, with the mission that it held. */
@@ -403,6 +427,8 @@ public final class SmallBoat implements AutoCloseable {
             send(number.message());
         } else if (message == POSITION && reports.hasPosition()) {
             reports.sendPosition(state());
+        } else if (message == RC_CHANNELS) {
+            radio.message().ifPresent(this::send);
         }
     }
 
@@ -482,7 +508,7 @@ public final class SmallBoat implements AutoCloseable {
     }
 
     private SmallBoatReports.State state() {
-        return new SmallBoatReports.State(armed, mode, failsafe, fence, ownMs(), motion, mission);
+        return new SmallBoatReports.State(armed, mode, failsafe, fence, radio, ownMs(), motion, mission);
     }
 
     private void reached(int item) {

@@ -54,6 +54,7 @@ public final class SmallBoatReports {
             int mode,
             boolean failsafe,
             SmallVehicleFence fence,
+            SmallVehicleRadio radio,
             long bootMs,
             SmallBoatMotion motion,
             SmallBoatMission mission) {}
@@ -156,7 +157,7 @@ public final class SmallBoatReports {
         }
         int battery =
                 EnumValue.of(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY).value();
-        int present = battery | now.fence().present();
+        int present = battery | now.fence().present() | now.radio().working();
         beatsLeft = Math.max(0, beatsLeft - 1);
         send.accept(SysStatus.builder()
                 .onboardControlSensorsPresent(EnumValue.create(present))
@@ -166,6 +167,7 @@ public final class SmallBoatReports {
                 .voltageBattery(12_600)
                 .batteryRemaining(charge)
                 .build());
+        now.radio().message().ifPresent(send);
         send.accept(EkfStatusReport.builder().flags(EnumValue.create(filter)).build());
         send.accept(FenceStatus.builder()
                 .breachStatus(now.fence().isOutside() ? 1 : 0)

@@ -58,6 +58,7 @@ public final class SmallCopter implements AutoCloseable {
     private final SmallBoatMission mission;
     private final SmallVehicleParameters parameters = SmallVehicleParameters.ofCopter(this::send);
     private final SmallVehicleFence fence = new SmallVehicleFence(this::send);
+    private final SmallVehicleRadio radio = new SmallVehicleRadio();
     private final ScheduledExecutorService steps = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread made = new Thread(work, "small copter moves");
         made.setDaemon(true);
@@ -362,9 +363,9 @@ public final class SmallCopter implements AutoCloseable {
                 .hdg(9_000)
                 .build());
         link.send(SysStatus.builder()
-                .onboardControlSensorsPresent(EnumValue.create(fence.present()))
+                .onboardControlSensorsPresent(EnumValue.create(fence.present() | radio.working()))
                 .onboardControlSensorsEnabled(EnumValue.create(fence.enabled()))
-                .onboardControlSensorsHealth(EnumValue.create(fence.present()))
+                .onboardControlSensorsHealth(EnumValue.create(fence.present() | radio.working()))
                 .voltageBattery(12_600)
                 .batteryRemaining(87)
                 .build());

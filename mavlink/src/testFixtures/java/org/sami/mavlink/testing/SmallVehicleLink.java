@@ -3,6 +3,7 @@ package org.sami.mavlink.testing;
 import io.dronefleet.mavlink.Mavlink2Message;
 import io.dronefleet.mavlink.MavlinkConnection;
 import io.dronefleet.mavlink.MavlinkMessage;
+import io.dronefleet.mavlink.minimal.Heartbeat;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -27,6 +28,7 @@ final class SmallVehicleLink implements AutoCloseable {
     private Socket client = new Socket();
     private MavlinkConnection codec;
     private boolean firstVersion;
+    private Optional<SmallVehicleLink> passedTo = Optional.empty(); // heartbeats of ground stations
 
     /**
      * Listens.
@@ -46,6 +48,25 @@ final class SmallVehicleLink implements AutoCloseable {
     /** The port on which it listens. */
     int port() {
         return server.getLocalPort();
+    }
+
+    /** Passes the heartbeats of its client on to the client of another link, as ArduPilot does; to be called before {@link #start}. */
+    void passHeartbeatsTo(SmallVehicleLink other) {
+        passedTo = Optional.of(other);
+    }
+
+    private void passOn(MavlinkMessage<?> heartbeat) {
+        passedTo.ifPresent(other -> other.pass(heartbeat));
+    }
+
+    private synchronized void pass(MavlinkMessage<?> heartbeat) {
+        if (codec != null) {
+            try {
+                codec.send2(heartbeat.getOriginSystemId(), heartbeat.getOriginComponentId(), heartbeat.getPayload());
+            } catch (IOException e) {
+                // its reading thread finds out
+            }
+        }
     }
 
     /** Begins to serve clients. */
@@ -91,6 +112,9 @@ final class SmallVehicleLink implements AutoCloseable {
                     codec = open;
                 }
                 for (MavlinkMessage<?> message = open.next(); message != null; message = open.next()) {
+                    if (message.getPayload() instanceof Heartbeat) {
+                        passOn(message);
+                    }
                     if (takes(message)) {
                         taking.accept(message.getPayload());
                     }

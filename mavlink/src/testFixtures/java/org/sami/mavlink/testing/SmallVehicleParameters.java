@@ -5,7 +5,9 @@ import io.dronefleet.mavlink.common.ParamRequestRead;
 import io.dronefleet.mavlink.common.ParamSet;
 import io.dronefleet.mavlink.common.ParamValue;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 
 /** The parameters of a small vehicle, and how they are read and set. For one thread at a time. */
@@ -14,6 +16,7 @@ final class SmallVehicleParameters {
     static final String CAMERA = "CAM1_TYPE";
 
     private final Map<String, Float> values;
+    private final Set<String> asked = new HashSet<>();
     private final Consumer<Object> send;
 
     private SmallVehicleParameters(Map<String, Float> values, Consumer<Object> send) {
@@ -51,6 +54,10 @@ final class SmallVehicleParameters {
                 send);
     }
 
+    boolean wasAsked(String name) {
+        return asked.contains(name);
+    }
+
     float value(String name) {
         return values.get(name);
     }
@@ -67,8 +74,9 @@ final class SmallVehicleParameters {
 
     /** Receives a message; false where it is not about parameters. */
     boolean take(Object message) {
-        if (message instanceof ParamRequestRead asked) {
-            report(asked.paramId());
+        if (message instanceof ParamRequestRead request) {
+            asked.add(request.paramId());
+            report(request.paramId());
         } else if (message instanceof ParamSet set) {
             values.put(set.paramId(), set.paramValue());
             report(set.paramId());
