@@ -21,6 +21,7 @@ import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.Ack;
+import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.CommandMessage;
 import org.sami.boat.link.FleetRelease;
 import org.sami.boat.link.FleetStop;
@@ -31,6 +32,7 @@ import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.Nack;
+import org.sami.boat.link.NearbyBoat;
 import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.SetGains;
 import org.sami.boat.link.SetLostLinkAction;
@@ -39,7 +41,9 @@ import org.sami.boat.link.SetWaysHome;
 import org.sami.boat.link.StartWaypoints;
 import org.sami.boat.link.StopMotors;
 import org.sami.boat.link.TakePanorama;
+import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Teleoperate;
+import org.sami.boat.link.Traffic;
 import org.sami.boat.link.UploadWaypoints;
 import org.sami.boat.link.Waypoint;
 import org.sami.boat.server.testing.Await;
@@ -58,6 +62,7 @@ class MavlinkPageTest {
     private static final Set<String> HANDING_OVER =
             Set.of("AskForCommand", "GrantCommand", "TakeCommand", "WithdrawKeys");
     private static final String AS_BEFORE = "as before";
+    private static final double AHEAD_DEG = 6 / 111_319.0; // 6 m
 
     /** What each message is here. */
     private static final Map<String, Function<String, CommandMessage>> COMMANDS = Map.ofEntries(
@@ -65,6 +70,7 @@ class MavlinkPageTest {
             Map.entry("readback", ReadBack::new),
             Map.entry("start", id -> new StartWaypoints(id, "list", 0)),
             Map.entry("start at the last point", id -> new StartWaypoints(id, "list", 2)),
+            Map.entry("start along a way home", id -> new StartWaypoints(id, "list", 0)),
             Map.entry("hold", HoldPosition::new),
             Map.entry("stop", StopMotors::new),
             Map.entry("fleet-stop", FleetStop::new),
@@ -121,7 +127,6 @@ class MavlinkPageTest {
     @TestFactory
     Stream<DynamicTest> eachRowIsSo() throws Exception {
         return rows().stream()
-                .filter(row -> !row.group(1).equals("traffic"))
                 .map(row -> dynamicTest(
                         row.group(1) + row.group(2),
                         () -> walk(row.group(1) + row.group(2), row.group(3), row.group(4))));
@@ -132,10 +137,29 @@ class MavlinkPageTest {
         return boat.address() + "/5";
     }
 
+    /** Steers around a boat that lies ahead, and goes on along its mission once it has gone. */
+    private static void givesWay(SmallBoat boat, LinkClient client) {
+        assertThat(client.ask(new StartWaypoints("started", "list", 0))).isInstanceOf(Ack.class);
+        Await.until("it gives way", () -> {
+            Telemetry at = client.last(Telemetry.class).orElseThrow();
+            client.say(new Traffic(
+                    List.of(new NearbyBoat("anna", at.latDeg() + AHEAD_DEG, at.lonDeg(), 0, 0, BoatMode.STOPPED, 0))));
+            return boat.mode() == MODES.get("GUIDED");
+        });
+        Await.until("it goes on", () -> {
+            client.say(new Traffic(List.of()));
+            return boat.mode() == MODES.get("AUTO") && boat.isArmed();
+        });
+    }
+
     private void walk(String message, String does, String then) throws Exception {
         try (SmallBoat boat = new SmallBoat(5, 45.7, 10.72, 1);
                 LinkClient client = new LinkClient(folder.resolve(message.replace(' ', '-')), address(boat, message))) {
             assertThat(client.ask(new UploadWaypoints("u", "list", LIST))).isInstanceOf(Ack.class);
+            if (message.equals("traffic")) {
+                givesWay(boat, client);
+                return;
+            }
             int mode = boat.mode();
             boolean armed = boat.isArmed();
 

@@ -1,11 +1,16 @@
 package org.sami.mavlink.testing;
 
+import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
+import io.dronefleet.mavlink.ardupilotmega.WaterDepth;
 import io.dronefleet.mavlink.common.CameraTrackingGeoStatus;
 import io.dronefleet.mavlink.common.CameraTrackingStatusFlags;
+import io.dronefleet.mavlink.common.DistanceSensor;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.NamedValueFloat;
+import io.dronefleet.mavlink.common.NamedValueInt;
 import io.dronefleet.mavlink.common.RadioStatus;
+import java.math.BigInteger;
 
 /** Messages with values of a vehicle's sensors and of its radio, for {@link SmallBoat#sends}. */
 public final class SensorMessages {
@@ -14,6 +19,35 @@ public final class SensorMessages {
     /** A value under a name of at most 10 characters. */
     public static Object named(String name, double value) {
         return NamedValueFloat.builder().name(name).value((float) value).build();
+    }
+
+    /** A whole number under a name of at most 10 characters. */
+    public static Object named(String name, int value) {
+        return NamedValueInt.builder().name(name).value(value).build();
+    }
+
+    /** What a depth sounder that looks down measures: metres, and degrees Celsius. */
+    public static Object water(double depthM, double temperatureC) {
+        return WaterDepth.builder()
+                .healthy(1)
+                .distance((float) depthM)
+                .temperature((float) temperatureC)
+                .build();
+    }
+
+    /** How far something before a sensor is, in whole centimetres. */
+    public static Object distance(int centimetres) {
+        return DistanceSensor.builder().currentDistance(centimetres).build();
+    }
+
+    /** A camera has taken a picture, the so many-th, at a place in degrees. */
+    public static Object picture(int number, double latDeg, double lonDeg) {
+        return CameraFeedback.builder()
+                .timeUsec(BigInteger.ZERO)
+                .imgIdx(number)
+                .lat((int) Math.round(latDeg * 1e7))
+                .lng((int) Math.round(lonDeg * 1e7))
+                .build();
     }
 
     /** A camera follows a target at a place, in degrees. */
