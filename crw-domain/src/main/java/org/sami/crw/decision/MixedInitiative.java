@@ -6,6 +6,7 @@ import java.util.OptionalLong;
 import org.sami.crw.markup.MarkupReader;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Decision;
+import org.sami.spn.protocol.Ids;
 
 /**
  * Whether, when and what autonomy answers (markup Mixed Initiative Trigger).
@@ -35,8 +36,13 @@ public record MixedInitiative(Trigger trigger, Optional<Answer> answer, String w
     static MixedInitiative of(Decision decision, String words) {
         Trigger trigger = new MarkupReader(decision.markups())
                 .constant("MixedInitiativeTrigger", "trigger", Trigger.class)
-                .orElse(Trigger.NEVER);
+                .orElse(isOfDomain(decision) && decision.automatic().isPresent() ? Trigger.TIMER : Trigger.NEVER);
         return new MixedInitiative(trigger, decision.automatic(), words, decision.deadlineMillis());
+    }
+
+    /** Whether the domain asks, outside of any plan: it names an answer of autonomy only with its time. */
+    private static boolean isOfDomain(Decision decision) {
+        return decision.mission() == Ids.NONE;
     }
 
     /**

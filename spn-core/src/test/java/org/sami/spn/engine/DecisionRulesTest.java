@@ -316,6 +316,30 @@ class DecisionRulesTest {
     }
 
     @Test
+    void autonomyAnswersAQuestionOfTheDomainThatNobodyAnsweredInItsTime() {
+        Session s = approve();
+        s.step(new Input.AskOperator(
+                "LongWay",
+                "b1",
+                "Send it?",
+                Priority.HIGH,
+                List.of(),
+                Optional.of(new Input.AskOperator.Unanswered(false, 90_000))));
+        Decision asked = s.view().decisions().get(0);
+        long deadline = asked.deadlineMillis().orElseThrow();
+        assertThat(asked.automatic()).contains(new Answer.YesNo(false));
+        EngineState read = StateCodec.decode(StateCodec.encode(s.state()), s.engine());
+
+        assertThat(s.engine().step(read, deadline - 1, new Input.TimeReached())).isEmpty();
+        assertThat(s.engine().step(read, deadline, new Input.TimeReached()))
+                .containsExactly(
+                        new Effect.DecisionClosed(
+                                asked.id(), Optional.of(new Answer.YesNo(false)), Optional.of(Answerer.AUTONOMY)),
+                        new Effect.QuestionAnswered("LongWay", "b1", false));
+        assertThat(s.engine().view(read).decisions()).isEmpty();
+    }
+
+    @Test
     void whatTheDomainAskedOutlivesMissionsAndASnapshotAndCanBeWithdrawn() {
         Session s = approve();
         long m = s.start("net");

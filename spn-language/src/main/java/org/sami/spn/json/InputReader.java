@@ -55,10 +55,7 @@ final class InputReader {
             case "add-tasks" -> Optional.of(new Input.AddTasks(m.whole("mission"), tasks(m)));
             case "handler-failed" -> Optional.of(new Input.HandlerFailed(m.whole("activation"), m.text("reason", "")));
             case "remember" -> value(m).map(v -> new Input.Remember(m.whole("mission"), m.text("key", ""), v));
-            case "ask-operator" ->
-                m.word("priority", Priority.class)
-                        .map(p -> new Input.AskOperator(
-                                m.text("kind"), m.text("about", ""), m.text("prompt", ""), p, m.texts("proxies")));
+            case "ask-operator" -> m.word("priority", Priority.class).map(p -> askOperator(m, p));
             case "withdraw-question" -> Optional.of(new Input.WithdrawQuestion(m.text("kind"), m.text("about", "")));
             default -> {
                 m.problem(Codes.UNKNOWN_WORD, "input", "\"" + kind + "\" is no kind of input");
@@ -78,6 +75,16 @@ final class InputReader {
                         .flatMap(Optional::stream)
                         .toList(),
                 values(m, "values"));
+    }
+
+    private static Input askOperator(JsonObjectReader m, Priority priority) {
+        List<String> proxies = m.texts("proxies");
+        Optional<Input.AskOperator.Unanswered> unanswered = m.object("unanswered")
+                .filter(answer -> proxies.isEmpty())
+                .map(answer ->
+                        new Input.AskOperator.Unanswered(answer.flag("yes"), Math.max(0, answer.whole("afterMillis"))));
+        return new Input.AskOperator(
+                m.text("kind"), m.text("about", ""), m.text("prompt", ""), priority, proxies, unanswered);
     }
 
     private Optional<Input> answerDecision(JsonObjectReader m) {

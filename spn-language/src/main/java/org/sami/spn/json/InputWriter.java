@@ -81,6 +81,10 @@ final class InputWriter {
             if (!i.proxies().isEmpty()) {
                 node.set("proxies", texts(i.proxies()));
             }
+            i.unanswered()
+                    .ifPresent(answer -> node.putObject("unanswered")
+                            .put("yes", answer.yes())
+                            .put("afterMillis", answer.afterMillis()));
         } else if (input instanceof Input.HoldDecision i) {
             node.put("input", "hold-decision").put("decision", i.decision());
         } else if (input instanceof Input.WithdrawQuestion i) {

@@ -142,19 +142,45 @@ public sealed interface Input {
     }
 
     /**
-     * The domain asks the operator for a yes or a no, or which robots are chosen, outside of any plan; autonomy does not answer. Asked again while it is
-     * open, it changes nothing.
+     * The domain asks the operator for a yes or a no, or which robots are chosen, outside of any plan; autonomy answers only where it is told what and when. Asked
+     * again while it is open, it changes nothing.
      *
      * @param kind names what is asked, such as {@code BoatRestarted}; becomes the decision's type
      * @param about its subject; there is one open question of a kind for each subject
      * @param prompt one sentence for the operator
      * @param proxies robots of which any number, also none, can be chosen; empty for a yes or a no
+     * @param unanswered what autonomy answers to a question for a yes or a no that nobody has answered in time; empty where it waits without end
      */
-    record AskOperator(String kind, String about, String prompt, Priority priority, List<String> proxies)
+    record AskOperator(
+            String kind,
+            String about,
+            String prompt,
+            Priority priority,
+            List<String> proxies,
+            Optional<Unanswered> unanswered)
             implements Input {
-        /** A question for a yes or a no. */
+        /**
+         * An answer in place of the operator's.
+         *
+         * @param afterMillis so long after it was asked, 0 or more
+         */
+        public record Unanswered(boolean yes, long afterMillis) {
+            public Unanswered {
+                if (afterMillis < 0) {
+                    throw new IllegalArgumentException(
+                            "autonomy answers after the question, not " + afterMillis + " ms");
+                }
+            }
+        }
+
+        /** A question for a yes or a no, which waits without end. */
         public AskOperator(String kind, String about, String prompt, Priority priority) {
-            this(kind, about, prompt, priority, List.of());
+            this(kind, about, prompt, priority, List.of(), Optional.empty());
+        }
+
+        /** A question that waits without end. */
+        public AskOperator(String kind, String about, String prompt, Priority priority, List<String> proxies) {
+            this(kind, about, prompt, priority, proxies, Optional.empty());
         }
 
         public AskOperator {
@@ -163,6 +189,10 @@ public sealed interface Input {
             Objects.requireNonNull(prompt, "prompt");
             Objects.requireNonNull(priority, "priority");
             proxies = List.copyOf(proxies);
+            Objects.requireNonNull(unanswered, "unanswered");
+            if (unanswered.isPresent() && !proxies.isEmpty()) {
+                throw new IllegalArgumentException("autonomy answers yes or no, and chooses no robots: " + prompt);
+            }
         }
     }
 

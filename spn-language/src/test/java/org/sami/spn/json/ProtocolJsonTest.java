@@ -73,6 +73,13 @@ class ProtocolJsonTest {
                 new Input.Remember(1, "progress", new TextValue("half")),
                 new Input.AskOperator("BoatRestarted", "b1", "May it move?", Priority.CRITICAL),
                 new Input.AskOperator("BoatRestarted", "b1 b2", "Which?", Priority.CRITICAL, List.of("b1", "b2")),
+                new Input.AskOperator(
+                        "LongWay",
+                        "1 2",
+                        "Send it?",
+                        Priority.HIGH,
+                        List.of(),
+                        Optional.of(new Input.AskOperator.Unanswered(false, 90_000))),
                 new Input.HoldDecision(3),
                 new Input.WithdrawQuestion("BoatRestarted", "b1"));
     }

@@ -134,11 +134,15 @@ public final class OpenQuestions {
                         ? new Question.Approve()
                         : new Question.ChooseProxies(
                                 asked.proxies(), 0, asked.proxies().size()),
-                Optional.empty(),
-                OptionalLong.empty(),
+                asked.unanswered().map(answer -> new Answer.YesNo(answer.yes())),
+                asked.unanswered().stream()
+                        .mapToLong(answer -> step.state.now + answer.afterMillis())
+                        .findFirst(),
                 asked.priority(),
                 List.of());
-        add(new OpenDecision(decision, OpenDecision.Purpose.DOMAIN, null, null, null, asked.about()));
+        OpenDecision open = new OpenDecision(decision, OpenDecision.Purpose.DOMAIN, null, null, null, asked.about());
+        add(open);
+        asked.unanswered().ifPresent(answer -> open.deadline = timers.deadline(open, answer.afterMillis()));
     }
 
     /** The domain needs no answer any longer. */
