@@ -1,20 +1,19 @@
 package org.sami.uav.handler;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.handler.motion.Reply;
+import org.sami.crw.service.reach.Flight;
 import org.sami.spn.host.ActivationHandler;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.value.GeoPoint;
 
 /**
- * Return Home: each aircraft flies to where it took off, at its altitude but not below {@link #LEAST_M}, and lands there. One on the ground lands there.
+ * Return Home: each aircraft flies to where it took off, at its altitude but not below 15 m, and lands there. One on the ground lands there.
  * One in the air that has not said where it took off stays in the air until it has, and the operator is told: below it may be water.
  */
 final class ReturnHomeHandler implements ActivationHandler {
-    private static final double LEAST_M = 15; // above trees and masts
     private static final String NO_HOME =
             "it has not said where it took off, and flies there once it has; until then, send it where it can land";
 
@@ -41,18 +40,7 @@ final class ReturnHomeHandler implements ActivationHandler {
             return new Flights.Flight(aircraft, down, speedMps);
         }
         return flights.home(aircraft.boat())
-                .map(home -> new Flights.Flight(aircraft, way(here, home), speedMps))
+                .map(home -> new Flights.Flight(aircraft, Flight.wayHome(here, home), speedMps))
                 .orElseGet(() -> Flights.Flight.unknown(aircraft, NO_HOME));
-    }
-
-    private static List<GeoPoint> way(GeoPoint here, GeoPoint home) {
-        List<GeoPoint> way = new ArrayList<>();
-        double altM = Math.max(here.altM(), LEAST_M);
-        if (altM > here.altM()) {
-            way.add(Flights.at(here, altM));
-        }
-        way.add(Flights.at(home, altM));
-        way.add(Flights.at(home, 0));
-        return way;
     }
 }

@@ -76,6 +76,26 @@ class FlightChargeRunTest {
         assertThat(report.notes()).noneMatch(note -> note.message().contains("could not do what"));
     }
 
+    /** Two places 2 km and 2.6 km away: after the first, the charge lasts for the way home and not for the second. */
+    @Test
+    void copterInTheAirComesHomeWhereNobodyAnswersAndItsTaskIsFlownAfterwards() {
+        RunReport report = Run.of("search", 1)
+                .charged("66")
+                .answering("{\"event\": \"LongWay\", \"answer\": {\"silent\": true}},"
+                        + "{\"event\": \"CreateLocations\", \"answer\": {\"values\": {\"locations\": ["
+                        + "{\"lat\": 45.716, \"lon\": 10.72}, {\"lat\": 45.7214, \"lon\": 10.72}]}}}")
+                .report();
+
+        assertThat(questions(report)).singleElement().satisfies(question -> {
+            assertThat(question.prompt()).contains("Without an answer it comes home after ");
+            assertThat(question.by()).isEqualTo("autonomy");
+        });
+        assertThat(report.result().outcome()).isEqualTo(RunOutcome.ENDED);
+        assertThat(report.notes())
+                .anyMatch(note -> note.message().contains("nobody has answered in time, and it comes home"));
+        assertThat(report.boats()).allMatch(copter -> copter.recharges() == 1);
+    }
+
     @Test
     void nobodyIsAskedWhereTheChargeLasts() {
         RunReport report = FAR.charged("100").report();

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.motion.Reply;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.reach.Endurance;
 import org.sami.spn.protocol.Input;
@@ -139,9 +140,12 @@ class FlightChargesTest {
                 Map.of("altitude", new RealValue(20)),
                 "copter1");
         assertThat(asked()).hasSize(2);
-        harness.answer(true);
-        harness.pass(30);
+        harness.answer(false);
 
+        charge(60);
+        flyTo(50);
+        harness.pass(60);
+        charge(20.2);
         Sightings sightings = new Sightings();
         harness.activate(new SearchAroundHandler(harness.flights, sightings), Map.of(), "copter1");
         assertThat(asked()).hasSize(3);
@@ -230,13 +234,145 @@ class FlightChargesTest {
         assertThat(asked()).singleElement().asString().contains("copter1 is to go 7.0 km", "; copter1 needs ");
     }
 
+    @Test
+    void questionOnTheGroundWaitsWithoutEnd() {
+        charge(30);
+        flyTo(800);
+
+        assertThat(harness.asked)
+                .singleElement()
+                .satisfies(one -> assertThat(one.unanswered()).isEmpty());
+    }
+
+    @Test
+    void questionInTheAirWaitsNoLongerThanTheChargeLastsForTheWayHome() {
+        askInTheAir();
+
+        assertThat(harness.asked).singleElement().satisfies(one -> {
+            assertThat(one.unanswered().orElseThrow().yes()).isFalse();
+            assertThat(one.unanswered().orElseThrow().afterMillis() / 1000.0)
+                    .isBetween(90.0, 130.0); // 9 % last about 135 s, and the way home takes 26 s
+            assertThat(one.prompt()).matches(".*Send it\\? Without an answer it comes home after \\d+ s, while.*");
+        });
+    }
+
+    @Test
+    void copterInTheAirThatNobodyAnswersAboutComesHomeWithItsReserveAndThePlanIsTold() {
+        askInTheAir();
+        harness.answerLate();
+        for (int s = 0; s < 60 && harness.altM("copter1") > 0; s++) {
+            harness.pass(1);
+        }
+
+        assertThat(harness.altM("copter1")).isZero();
+        assertThat(Geodesy.distanceM(harness.flights.position("copter1").orElseThrow(), home))
+                .isLessThan(3);
+        assertThat(harness.fleet.boat("copter1").orElseThrow().hull().batteryPercent())
+                .isBetween(19.0, 22.0);
+        assertThat(harness.answered()).endsWith(UavEvents.CANNOT_FLY);
+        assertThat(String.join("\n", harness.messages))
+                .contains("nobody has answered in time, and it comes home while its charge lasts: copter1 needs");
+    }
+
+    /** The question on the ground has no deadline, and the one in the air waits for it. */
+    @Test
+    void copterInTheAirWhoseQuestionWaitsForAnotherComesHomeAsWell() {
+        charge(29);
+        flyTo(50);
+        harness.pass(60);
+        TaskId far = task("Far", 900);
+        TaskId farther = task("Farther", 950);
+        harness.activate(
+                (activation, context) -> {
+                    for (TaskId task : List.of(far, farther)) {
+                        Addressee one = new Addressee("copter1", false, List.of(task));
+                        harness.motion.send(
+                                activation,
+                                context,
+                                List.of(Flights.move(
+                                        activation,
+                                        context,
+                                        new Flights.Flight(one, List.of(north(950)), Flights.SPEED_MPS),
+                                        Reply.way(UavEvents.REACHED_LOCATION, UavEvents.CANNOT_FLY),
+                                        "-" + task.name())));
+                    }
+                },
+                Map.of(),
+                List.of(new Token.Task(far), new Token.Task(farther)));
+        assertThat(asked()).hasSize(1);
+        harness.pass(120);
+
+        assertThat(harness.altM("copter1")).isZero();
+        assertThat(harness.answered()).endsWith(UavEvents.CANNOT_FLY);
+    }
+
+    @Test
+    void oneAnswerHoldsForTheWayToATaskAndForTheSearchThere() {
+        searchTheFarTask();
+
+        assertThat(asked()).hasSize(1);
+        assertThat(harness.answered()).containsExactly(UavEvents.REACHED_LOCATION, UavEvents.NOTHING_SEEN);
+    }
+
+    @Test
+    void chargeThatHasBecomeClearlyWorseIsAskedAboutOnceMore() {
+        flyToTheFarTask();
+        charge(25);
+        search();
+
+        assertThat(asked()).hasSize(2);
+    }
+
+    @Test
+    void copterThatWasDownIsAskedAboutForItsNextFlight() {
+        searchTheFarTask();
+        harness.activate(new ReturnHomeHandler(harness.flights), Map.of(), "copter1");
+        harness.pass(200);
+        assertThat(harness.altM("copter1")).isZero();
+        charge(36);
+        flyTasks(Map.of("Far", 900.0), List.of("Far"));
+
+        assertThat(asked()).hasSize(2);
+    }
+
+    private void askInTheAir() {
+        charge(33);
+        flyTo(50);
+        harness.pass(60);
+        flyTo(800);
+    }
+
+    private void flyToTheFarTask() {
+        charge(36);
+        flyTasks(Map.of("Far", 900.0), List.of("Far"));
+        harness.answer(true);
+        harness.pass(150);
+        assertThat(harness.answered()).containsExactly(UavEvents.REACHED_LOCATION);
+    }
+
+    private void search() {
+        SearchAroundHandler handler = new SearchAroundHandler(harness.flights, new Sightings());
+        harness.listen(handler);
+        harness.activate(handler, Map.of(), List.of(new Token.Task(new TaskId(1, "Far"))));
+    }
+
+    private void searchTheFarTask() {
+        flyToTheFarTask();
+        search();
+        harness.pass(120);
+    }
+
+    private TaskId task(String name, double northM) {
+        TaskId task = new TaskId(1, name);
+        harness.allocation.put(task, "copter1");
+        harness.tasks.put(task, Map.of("location", north(northM)));
+        return task;
+    }
+
     /** One activation has the copter fly to tasks one after another, each so far to the north. */
     private void flyTasks(Map<String, Double> metres, List<String> names) {
-        List<TaskId> all = names.stream().map(name -> new TaskId(1, name)).toList();
-        all.forEach(task -> {
-            harness.allocation.put(task, "copter1");
-            harness.tasks.put(task, Map.of("location", north(metres.get(task.name()))));
-        });
+        List<TaskId> all =
+                names.stream().map(name -> task(name, metres.get(name))).toList();
         harness.activate(
                 (activation, context) -> {
                     for (TaskId task : all) {

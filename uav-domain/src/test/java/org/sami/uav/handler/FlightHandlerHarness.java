@@ -34,6 +34,8 @@ import org.sami.spn.host.HandlerContext;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Answer;
+import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.MissionStatus;
@@ -189,6 +191,17 @@ final class FlightHandlerHarness implements HandlerContext {
     void answer(boolean yes) {
         Input.AskOperator question = asked.get(asked.size() - 1);
         step(ways, new Input.TimeReached(), new Effect.QuestionAnswered(question.kind(), question.about(), yes));
+    }
+
+    /** Nobody answers the last question until its deadline, at which autonomy says no. */
+    void answerLate() {
+        Input.AskOperator question = asked.get(asked.size() - 1);
+        pass(question.unanswered().orElseThrow().afterMillis() / 1000);
+        step(
+                ways,
+                new Input.TimeReached(),
+                new Effect.DecisionClosed(1, Optional.of(new Answer.YesNo(false)), Optional.of(Answerer.AUTONOMY)),
+                new Effect.QuestionAnswered(question.kind(), question.about(), false));
     }
 
     /** A copter reports where it took off; that it does not know it, where that is empty. */

@@ -174,6 +174,11 @@ public final class MotionCommands implements Consumer<FleetEvent> {
             }
 
             @Override
+            public void sendHome(Activation asked, HandlerContext answerTo, List<Move> home) {
+                sendNow(asked, answerTo, clearWays.limit(asked, answerTo, home));
+            }
+
+            @Override
             public void refuse(Activation asked, HandlerContext answerTo, Move move, String reason) {
                 MotionCommands.this.refuse(asked, answerTo, move, reason);
             }

@@ -9,6 +9,9 @@ interface MoveSender {
     /** The operator wants them, or there is nothing to ask. */
     void send(Activation activation, HandlerContext context, List<Move> moves);
 
+    /** They go without a question, clear of what the plan avoids: robots come home. */
+    void sendHome(Activation activation, HandlerContext context, List<Move> moves);
+
     /** The operator does not want it. */
     void refuse(Activation activation, HandlerContext context, Move move, String reason);
 }

@@ -3,8 +3,11 @@ package org.sami.crw.handler.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.ListIterator;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.crw.decision.AskedActivation;
@@ -26,6 +29,7 @@ import org.sami.spn.protocol.Priority;
 record WayQuestion(
         DomainQuestion kind, Activation activation, HandlerContext context, MoveSender sender, List<Doubted> doubted) {
     private static final int NAMED = 3;
+    private static final double MILLIS_PER_S = 1000;
 
     /** A move, and what is wrong with its way. */
     record Doubted(Move move, WayDoubt doubt) {
@@ -45,8 +49,12 @@ record WayQuestion(
         return kind == DomainQuestion.FUTILE_WAY || kind == DomainQuestion.ONE_WAY;
     }
 
-    /** Asks the operator. */
-    void ask() {
+    /**
+     * Asks the operator.
+     *
+     * @param waitS how long the answer can wait, in seconds; empty where it can without end
+     */
+    void ask(OptionalDouble waitS) {
         List<String> all =
                 doubted.stream().map(one -> one.doubt().words()).distinct().toList();
         String doubts = all.stream().limit(NAMED).collect(Collectors.joining("; "));
@@ -55,8 +63,29 @@ record WayQuestion(
                 kind.kind(),
                 about(),
                 doubts + (more > 0 ? "; and " + more + " boats more" : "") + ". Send "
-                        + (doubted.size() == 1 ? "it" : "them") + (isFutile() ? " without coming home first?" : "?"),
-                Priority.HIGH));
+                        + (doubted.size() == 1 ? "it" : "them") + (isFutile() ? " without coming home first?" : "?")
+                        + waitS.stream().mapToObj(this::deadline).collect(Collectors.joining()),
+                Priority.HIGH,
+                List.of(),
+                waitS.stream()
+                        .mapToObj(seconds -> new Input.AskOperator.Unanswered(false, (long) (seconds * MILLIS_PER_S)))
+                        .findFirst()));
+    }
+
+    private String deadline(double waitS) {
+        return String.format(
+                Locale.ROOT,
+                " Without an answer %s home after %.0f s, while the charge lasts for that",
+                doubted.size() == 1 ? "it comes" : "those in the air come",
+                waitS);
+    }
+
+    /** Those of its moves for which something holds; they are taken out of it. */
+    WayQuestion taking(Predicate<Move> which) {
+        List<Doubted> taken =
+                doubted.stream().filter(one -> which.test(one.move())).toList();
+        doubted.removeAll(taken);
+        return new WayQuestion(kind, activation, context, sender, new ArrayList<>(taken));
     }
 
     /** Takes the boats out about which the operator has given this answer already; empty where there are none. */

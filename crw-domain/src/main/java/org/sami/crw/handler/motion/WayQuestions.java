@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
@@ -33,6 +34,7 @@ import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Answerer;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
@@ -43,11 +45,16 @@ import org.sami.spn.value.GeoPoint;
 /**
  * Asks the operator before boats are sent where something is wrong ({@link WayCheck}): one question for each activation and kind of
  * doubt. Boats whose way is doubted wait for the answer, the others go. The answer is kept in the mission's memory, so that a base
- * that goes on does not ask again. For the fleet's thread; it passes the engine's steps on to it.
+ * that goes on does not ask again. An aircraft waits in the air no longer than its charge lasts for the way home: then the answer is no, and it comes home. For the
+ * fleet's thread; it passes the engine's steps on to it.
  */
 public final class WayQuestions implements HostListener {
     /** Begins the reason of a command that failed because the operator did not want it. */
     public static final String REJECTED_WAY = "the operator does not want it";
+
+    private static final String UNANSWERED = "nobody has answered in time, and it comes home while its charge lasts";
+    private static final String UNANSWERED_FAR =
+            "nobody has answered in time, and it has not said where its home is: send it where it can land";
 
     private final ProxyRegistry boats;
     private final MessageSink messages;
@@ -75,6 +82,19 @@ public final class WayQuestions implements HostListener {
     /** Takes in what happened to a boat. */
     void accept(FleetEvent event) {
         returns.accept(event);
+        flights.accept(event);
+        if (event instanceof FleetEvent.StatusReported reported && !next.isEmpty()) {
+            bringHome(reported.status().boatId());
+        }
+    }
+
+    /** What waits for another question has no time of its own: it ends with the charge that is left. */
+    private void bringHome(String aircraft) {
+        for (WayQuestion one : List.copyOf(next)) {
+            comeHome(one.taking(move -> move.addressee().boat().equals(aircraft)
+                    && flights.waitS(move).orElse(1) <= 0));
+        }
+        next.removeIf(one -> one.doubted().isEmpty());
     }
 
     /** Counts moves that go on after a restart of the base; they were asked about before. */
@@ -184,7 +204,31 @@ public final class WayQuestions implements HostListener {
             next.add(question);
         } else {
             held.put(key, question);
-            question.ask();
+            question.ask(question.moves()
+                    .map(one -> flights.waitS(one.move()))
+                    .flatMapToDouble(OptionalDouble::stream)
+                    .min());
+        }
+    }
+
+    /** Autonomy's answer is about those in the air alone: the others wait on. */
+    private void nobodyAnswered(WayQuestion one) {
+        WayQuestion flying = one.taking(move -> flights.waitS(move).isPresent());
+        comeHome(flying);
+        if (!one.doubted().isEmpty()) {
+            settleAnsweredAndAsk(one);
+        }
+    }
+
+    private void comeHome(WayQuestion flying) {
+        flying.remember(false);
+        List<Move> home = flying.moves()
+                .flatMap(one -> flights.home(flying.activation(), one.move()).stream())
+                .toList();
+        flying.taking(move -> flights.home(flying.activation(), move).isEmpty()).refuse(UNANSWERED_FAR);
+        flying.refuse(UNANSWERED);
+        if (!home.isEmpty()) {
+            flying.sender().sendHome(flying.activation(), flying.context(), home);
         }
     }
 
@@ -229,6 +273,7 @@ public final class WayQuestions implements HostListener {
         if (one.isFutile()) {
             one.doubted().forEach(doubted -> sendOn(one, doubted));
         }
+        one.doubted().forEach(doubted -> flights.accept(one.activation(), doubted.move()));
         one.send();
     }
 
@@ -268,19 +313,27 @@ public final class WayQuestions implements HostListener {
 
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
+        boolean byAutonomy = false;
         for (Effect effect : effects) {
-            if (effect instanceof Effect.QuestionAnswered answered) {
-                fleet.execute(() -> answered(answered));
+            if (effect instanceof Effect.DecisionClosed closed) {
+                byAutonomy = closed.by().filter(by -> by == Answerer.AUTONOMY).isPresent();
+            } else if (effect instanceof Effect.QuestionAnswered answered) {
+                boolean late = byAutonomy; // its decision was closed just before
+                fleet.execute(() -> answered(answered, late));
             }
         }
     }
 
-    private void answered(Effect.QuestionAnswered answered) {
+    private void answered(Effect.QuestionAnswered answered, boolean late) {
         String key = key(answered.kind(), answered.about());
         WayQuestion one = held.remove(key);
         if (one != null) {
-            one.remember(answered.yes());
-            settle(one, answered.yes());
+            if (late) {
+                nobodyAnswered(one);
+            } else {
+                one.remember(answered.yes());
+                settle(one, answered.yes());
+            }
             askNext(key);
         }
     }

@@ -3,6 +3,7 @@ package org.sami.crw.service.reach;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.sami.crw.service.Geodesy;
 import org.sami.crw.service.path.Detour;
 import org.sami.crw.service.water.Water;
@@ -29,8 +30,11 @@ public record Flight(
     private static final double CLIMB_MPS =
             2.5; // this and the next are ArduPilot's for missions, unless it is told others
     private static final double DESCENT_MPS = 1.5;
-    private static final double HOME_MPS = 8; // this and the next are how copters return home
-    private static final double HOME_ALT_M = 15;
+
+    /** How fast copters return home, in m/s. */
+    public static final double HOME_MPS = 8;
+
+    private static final double HOME_ALT_M = 15; // copters return home at it at least
     private static final double GROUND_M = 0.5;
 
     public Flight {
@@ -49,7 +53,8 @@ public record Flight(
         return end().altM() < GROUND_M;
     }
 
-    private GeoPoint end() {
+    /** Where it is at its end, before it comes home. */
+    public GeoPoint end() {
         return points.isEmpty() ? from : points.get(points.size() - 1);
     }
 
@@ -79,6 +84,17 @@ public record Flight(
         return verticalS(end.altM(), altM)
                 + Geodesy.lengthM(end, Detour.along(end, List.of(home.get()), around)) / HOME_MPS
                 + verticalS(altM, 0);
+    }
+
+    /** The points of a way home: up to an altitude above trees and masts, to above the home, and down. */
+    public static List<GeoPoint> wayHome(GeoPoint from, GeoPoint home) {
+        double altM = Math.max(from.altM(), HOME_ALT_M);
+        Stream<GeoPoint> up = from.altM() < altM ? Stream.of(at(from, altM)) : Stream.empty();
+        return Stream.concat(up, Stream.of(at(home, altM), at(home, 0))).toList();
+    }
+
+    private static GeoPoint at(GeoPoint place, double altM) {
+        return new GeoPoint(place.latDeg(), place.lonDeg(), altM);
     }
 
     private static double verticalS(double fromM, double toM) {

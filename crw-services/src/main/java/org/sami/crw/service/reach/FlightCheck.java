@@ -35,6 +35,11 @@ public final class FlightCheck {
                                 assumed(endurance))));
     }
 
+    /** How much longer a flight with its way home takes than the charge lasts, in seconds; less than 0 where it lasts longer. */
+    public static double shortfallS(Flight flight, Endurance endurance) {
+        return flight.outS() + flight.homeS() - endurance.seconds();
+    }
+
     /** What is assumed, where nothing was seen of the aircraft's own. */
     private static String assumed(Endurance endurance) {
         return endurance.isSeen()
