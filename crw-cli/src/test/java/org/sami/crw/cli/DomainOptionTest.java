@@ -19,7 +19,7 @@ class DomainOptionTest {
         Path svg = folder.resolve("search.svg");
 
         assertThat(CommandResult.crw("check", "--domain", "uav").out()).isEqualTo("uav: 0 errors, 0 warnings\n");
-        assertThat(CommandResult.crw("test", "--domain", "uav", "search").out()).contains("search: 8 passed, 0 failed");
+        assertThat(CommandResult.crw("test", "--domain", "uav", "search").out()).contains("search: 9 passed, 0 failed");
         assertThat(CommandResult.crw("phases", "--domain", "uav", "search", "--choose", "Nothing seen")
                         .out())
                 .contains("Search: Target seen | Nothing seen (shown) | It cannot | It is lost")

@@ -72,7 +72,7 @@ class SearchPlanTest {
         assertThat(buttons("fly-there")).containsExactly("It arrives", "It cannot", "It is lost");
         assertThat(buttons("search-there")).containsExactly("Target seen", "Nothing seen", "It cannot", "It is lost");
         assertThat(buttons("ask-target")).containsExactly("Yes", "No");
-        assertThat(buttons("ask-retry")).containsExactly("Allocate anew", "Leave it out");
+        assertThat(buttons("ask-retry")).containsExactly("Allocate anew", "Leave it out", "No aircraft can");
 
         PhaseView found = CHART.view("Task execution", Map.of());
         PhaseView nothing = CHART.view("Task execution", Map.of("search-there", "unseen-event"));

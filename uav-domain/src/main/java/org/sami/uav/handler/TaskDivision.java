@@ -32,22 +32,25 @@ import org.sami.spn.value.Value;
 
 /**
  * Compute Allocations: divides the tasks so that the longest way is short, or gives each to the nearest aircraft. The one with the shorter longest way is first.
- * Aircraft whose batteries are low get none; where all are low, the tasks wait until one is charged. For the fleet's thread; it passes the engine's steps on to it.
+ * Aircraft whose batteries are low get none; where all are low, the tasks wait until one is charged. A task at which all aircraft have failed too often ({@link TaskFailures})
+ * waits for another battery, unless the plan leaves it out ({@link ImpossibleTasks}). For the fleet's thread; it passes the engine's steps on to it.
  */
 final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, HostListener {
     private final Flights flights;
     private final MessageSink messages;
     private final Executor fleet;
+    private final TaskFailures failures;
     private final Map<Long, Waiting> waiting = new LinkedHashMap<>(); // by activation
 
-    TaskDivision(Flights flights, MessageSink messages, Executor fleet) {
+    TaskDivision(Flights flights, MessageSink messages, Executor fleet, TaskFailures failures) {
+        this.failures = failures;
         this.flights = flights;
         this.messages = messages;
         this.fleet = fleet;
     }
 
-    /** Tasks for which no aircraft is charged. */
-    private record Waiting(Activation activation, HandlerContext context) {}
+    /** Tasks for which no aircraft is charged, or that none can do. */
+    private record Waiting(Activation activation, HandlerContext context, List<TaskId> tasks) {}
 
     /** Where an aircraft is after its tasks, and how far it flies to do them. */
     private record Way(GeoPoint end, double metres) {
@@ -88,20 +91,22 @@ final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, Hos
 
     @Override
     public void handle(Activation activation, HandlerContext context) {
-        Map<String, GeoPoint> from = placed(context);
+        Map<String, GeoPoint> all = placed(context);
         boolean isEarly = context.redelivered(); // nobody has said anything to this base yet
-        if (from.isEmpty() && !isEarly) {
+        if (all.isEmpty() && !isEarly) {
             throw new IllegalArgumentException("no aircraft has said where it is");
         }
-        from.keySet().removeIf(name -> !flights.isCharged(name, context));
-        if (from.isEmpty()) {
-            waiting.put(activation.id(), new Waiting(activation, context));
-            if (!isEarly) {
-                tellThatAllAreLow(activation, context);
-            }
-        } else {
-            divide(activation, context, from);
+        if (!all.isEmpty() && charged(all, context).isEmpty() && !isEarly) {
+            tellThatAllAreLow(activation, context);
         }
+        Waiting tasks = new Waiting(activation, context, activation.tasks());
+        divide(tasks, charged(all, context));
+    }
+
+    private Map<String, GeoPoint> charged(Map<String, GeoPoint> placed, HandlerContext context) {
+        Map<String, GeoPoint> from = new LinkedHashMap<>(placed);
+        from.keySet().removeIf(name -> !flights.isCharged(name, context));
+        return from;
     }
 
     /** Once for a mission, however many tasks it allocates. */
@@ -127,12 +132,7 @@ final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, Hos
     public void accept(FleetEvent event) {
         if (event instanceof FleetEvent.StatusReported) {
             for (Waiting one : List.copyOf(waiting.values())) {
-                Map<String, GeoPoint> from = placed(one.context);
-                from.keySet().removeIf(name -> !flights.isCharged(name, one.context));
-                if (!from.isEmpty()) {
-                    waiting.remove(one.activation.id());
-                    divide(one.activation, one.context, from);
-                }
+                divide(one, charged(placed(one.context), one.context));
             }
         }
     }
@@ -146,21 +146,46 @@ final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, Hos
         }
     }
 
-    private static void divide(Activation activation, HandlerContext context, Map<String, GeoPoint> from) {
+    /** Those for which an aircraft is charged; the others wait. */
+    private void divide(Waiting tasks, Map<String, GeoPoint> from) {
+        Map<TaskId, List<String>> candidates = new LinkedHashMap<>();
+        for (TaskId task : tasks.tasks) {
+            List<String> able = failures.candidates(task, List.copyOf(from.keySet()));
+            if (!able.isEmpty()) {
+                candidates.put(task, able);
+            }
+        }
+        List<TaskId> later = tasks.tasks.stream()
+                .filter(task -> !candidates.containsKey(task))
+                .toList();
+        waiting.remove(tasks.activation.id());
+        if (!later.isEmpty()) {
+            waiting.put(tasks.activation.id(), new Waiting(tasks.activation, tasks.context, later));
+        }
+        if (!candidates.isEmpty()) {
+            divide(tasks.activation, tasks.context, from, candidates);
+        }
+    }
+
+    private static void divide(
+            Activation activation,
+            HandlerContext context,
+            Map<String, GeoPoint> from,
+            Map<TaskId, List<String>> candidates) {
         Map<TaskId, GeoPoint> locations = new LinkedHashMap<>();
-        activation.tasks().forEach(task -> locations.put(task, location(context, task)));
+        candidates.keySet().forEach(task -> locations.put(task, location(context, task)));
         Shares even = new Shares(from, "short ways for all");
         Shares nearest = new Shares(from, "the nearest");
         while (even.tasks.size() < locations.size()) {
-            giveShortest(even, locations);
+            giveShortest(even, locations, candidates);
         }
-        locations.forEach((task, location) -> nearest.give(
-                task,
-                location,
-                from.entrySet().stream()
-                        .min(Comparator.comparingDouble(each -> Geodesy.distanceM(each.getValue(), location)))
-                        .orElseThrow()
-                        .getKey()));
+        candidates.forEach((task, able) -> {
+            GeoPoint location = location(context, task);
+            from.entrySet().stream()
+                    .filter(each -> able.contains(each.getKey()))
+                    .min(Comparator.comparingDouble(each -> Geodesy.distanceM(each.getValue(), location)))
+                    .ifPresent(each -> nearest.give(task, location, each.getKey()));
+        });
         List<Value> options = Stream.of(even, nearest)
                 .sorted(Comparator.comparingDouble(Shares::longestM))
                 .map(Shares::toValue)
@@ -169,17 +194,21 @@ final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, Hos
                 UavEvents.ALLOCATIONS_COMPUTED,
                 activation,
                 List.of(),
-                activation.tasks(),
+                List.copyOf(candidates.keySet()),
                 Map.of("allocations", new ListValue(options)))));
     }
 
     private record Choice(TaskId task, GeoPoint location, String aircraft, double metres) {}
 
     /** Gives the task that makes some aircraft's way the least long. */
-    private static void giveShortest(Shares shares, Map<TaskId, GeoPoint> locations) {
+    private static void giveShortest(
+            Shares shares, Map<TaskId, GeoPoint> locations, Map<TaskId, List<String>> candidates) {
         locations.entrySet().stream()
                 .filter(each -> !shares.tasks.containsKey(each.getKey()))
                 .flatMap(each -> shares.ways.entrySet().stream()
+                        .filter(way -> candidates
+                                .getOrDefault(each.getKey(), List.of())
+                                .contains(way.getKey()))
                         .map(way -> new Choice(
                                 each.getKey(),
                                 each.getValue(),

@@ -44,6 +44,7 @@ final class UavEvents {
     static final String NOTHING_SEEN = "NothingSeen";
     static final String CANNOT_FLY = "CannotFly";
     static final String ALLOCATIONS_COMPUTED = "AllocationsComputed";
+    static final String TASK_IMPOSSIBLE = "TaskImpossible";
     static final String TASKS_GIVEN_BACK = "TasksGivenBack";
     static final String LANES_PLANNED = "LanesPlanned";
     static final String WIND_STRONG = "WindStrong";

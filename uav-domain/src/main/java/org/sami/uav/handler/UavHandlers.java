@@ -90,7 +90,11 @@ public final class UavHandlers implements HandlerModule {
     }
 
     private static void addPlanning(HandlerParts parts, Flights flights) {
-        TaskDivision division = new TaskDivision(flights, parts.messages(), parts.fleet());
+        TaskFailures failures =
+                new TaskFailures(parts.fleet(), new ImpossibleTasks(parts.host(), parts.robots(), parts.messages()));
+        parts.listen((Consumer<FleetEvent>) failures);
+        parts.listen((HostListener) failures);
+        TaskDivision division = new TaskDivision(flights, parts.messages(), parts.fleet(), failures);
         parts.add(UavEvents.COMPUTE_ALLOCATIONS, division);
         parts.listen((Consumer<FleetEvent>) division);
         parts.listen((HostListener) division);

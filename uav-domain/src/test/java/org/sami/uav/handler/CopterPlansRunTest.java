@@ -45,6 +45,16 @@ class CopterPlansRunTest {
                         "Not there",
                         "All down"),
                 of(Run.of("search", 2), "Arrived", "All searched", "All are down"),
+                of( // nobody flies so high, and the simulated operator has it allocated anew each time
+                        Run.of("search", 2)
+                                .answering("{\"event\": \"CreateLocations\", \"answer\": {\"values\": {\"locations\": ["
+                                        + "{\"lat\": 45.7, \"lon\": 10.72, \"alt\": 300},"
+                                        + "{\"lat\": 45.7, \"lon\": 10.72}]}}}"),
+                        "Cannot fly there",
+                        "Allocate anew",
+                        "No aircraft can",
+                        "All searched",
+                        "All are down"),
                 of(
                         Run.of("search", 2).charged("37"),
                         "Battery low",
@@ -77,6 +87,28 @@ class CopterPlansRunTest {
                         "The next one flies",
                         "Back in reserve",
                         "Time is up"),
+                of(
+                        Run.of("battery-rotation", 3)
+                                .charged("45,45,100")
+                                .with(Map.of("location", "45.716,10.72", "watch-time.duration", "600s"))
+                                .answering("{\"event\": \"LongWay\", \"answer\": {\"yes\": false}}"),
+                        "Cannot fly there",
+                        "The next one flies",
+                        "Stays out",
+                        "At the post",
+                        "Time is up"),
+                of( // nobody flies so high
+                        Run.of("battery-rotation", 2)
+                                .with(Map.of(
+                                        "location",
+                                        "{\"lat\": 45.7005, \"lon\": 10.7205, \"alt\": 300}",
+                                        "watch-time.duration",
+                                        "120s")),
+                        "Cannot fly there",
+                        "The next one flies",
+                        "None is left",
+                        "Time is up",
+                        "All are down"),
                 of(
                         Run.of("battery-rotation", 2)
                                 .charged("35.5,100")

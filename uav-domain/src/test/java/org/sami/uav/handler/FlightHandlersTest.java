@@ -344,7 +344,11 @@ class FlightHandlersTest {
     }
 
     private static TaskDivision division(FlightHandlerHarness harness) {
-        return new TaskDivision(harness.flights, message -> harness.messages.add(message.text()), Runnable::run);
+        return new TaskDivision(
+                harness.flights,
+                message -> harness.messages.add(message.text()),
+                Runnable::run,
+                TaskFailuresTest.failures(List.of("copter1"), new ArrayList<>()));
     }
 
     private static List<Value> allocatedTo(FlightHandlerHarness harness) {

@@ -1,0 +1,130 @@
+package org.sami.uav.handler;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Token;
+import org.sami.spn.value.ListValue;
+import org.sami.spn.value.MapValue;
+import org.sami.spn.value.ProxyValue;
+import org.sami.spn.value.RecordValue;
+import org.sami.spn.value.TaskId;
+import org.sami.spn.value.Value;
+
+/** Tasks at which aircraft fail again and again. */
+class TaskFailuresTest {
+    private static final TaskId TASK = new TaskId(1, "Search 1");
+
+    private final FlightHandlerHarness harness = new FlightHandlerHarness(2);
+    private final List<TaskId> impossible = new ArrayList<>();
+    private final TaskFailures failures = failures(List.of("copter1", "copter2"), impossible);
+    private final TaskDivision division =
+            new TaskDivision(harness.flights, message -> harness.messages.add(message.text()), Runnable::run, failures);
+
+    /** Of some aircraft; tasks that none can do are listed. */
+    static TaskFailures failures(List<String> aircraft, List<TaskId> impossible) {
+        return new TaskFailures(Runnable::run, new TaskFailures.Impossible() {
+            @Override
+            public List<String> aircraft() {
+                return aircraft;
+            }
+
+            @Override
+            public void became(TaskId task) {
+                impossible.add(task);
+            }
+        });
+    }
+
+    @BeforeEach
+    void linkThemAll() {
+        harness.listen(failures);
+        harness.listen(division);
+        harness.pass(5);
+        harness.tasks.put(
+                TASK, Map.of("location", harness.flights.position("copter1").orElseThrow()));
+    }
+
+    private void divide() {
+        harness.answers.clear();
+        harness.activate(division, Map.of(), List.of(new Token.Task(TASK)));
+    }
+
+    private void fail(String copter, int times) {
+        harness.allocation.put(TASK, copter);
+        for (int i = 0; i < times; i++) {
+            harness.step(
+                    failures,
+                    new Input.Received(new Occurrence(UavEvents.CANNOT_FLY, 1, 1, List.of(), List.of(TASK), Map.of())));
+        }
+    }
+
+    private Value allocatedTo() {
+        Value all = Objects.requireNonNull(harness.answers.get(0).values().get("allocations"));
+        RecordValue best = (RecordValue) ((ListValue) all).items().get(0);
+        return ((MapValue) best.field("tasks").orElseThrow())
+                .entries()
+                .values()
+                .iterator()
+                .next();
+    }
+
+    private void charge(String copter, double percent) {
+        harness.fleet.boat(copter).orElseThrow().hull().setBatteryPercent(percent);
+        harness.pass(5);
+    }
+
+    @Test
+    void taskGoesToAnotherThatHasNotFailedAtIt() {
+        divide();
+        assertThat(allocatedTo()).isEqualTo(new ProxyValue("copter1"));
+
+        fail("copter1", 1);
+        divide();
+        assertThat(allocatedTo()).isEqualTo(new ProxyValue("copter2"));
+
+        fail("copter2", 1);
+        divide();
+        assertThat(allocatedTo()).isEqualTo(new ProxyValue("copter1"));
+    }
+
+    @Test
+    void taskAtWhichAllHaveFailedTwiceIsImpossibleAndNotAllocated() {
+        fail("copter1", 2);
+        assertThat(impossible).isEmpty();
+        fail("copter2", 2);
+        assertThat(impossible).containsExactly(TASK);
+        divide();
+
+        assertThat(harness.answers).isEmpty();
+    }
+
+    @Test
+    void aircraftWithAnotherBatteryTriesAgain() {
+        charge("copter1", 60);
+        fail("copter1", 2);
+        fail("copter2", 2);
+        charge("copter1", 100);
+        divide();
+
+        assertThat(allocatedTo()).isEqualTo(new ProxyValue("copter1"));
+    }
+
+    @Test
+    void taskAtWhichTheChargedOnesHaveFailedWaitsForTheOtherOne() {
+        charge("copter2", 20);
+        fail("copter1", 2);
+        divide();
+        assertThat(harness.answers).isEmpty();
+
+        charge("copter2", 100);
+        assertThat(allocatedTo()).isEqualTo(new ProxyValue("copter2"));
+    }
+}
