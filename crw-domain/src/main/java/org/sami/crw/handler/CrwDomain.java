@@ -18,6 +18,7 @@ import org.sami.crw.fleet.publishing.FleetEvents;
 import org.sami.crw.handler.boat.BoatBlocks;
 import org.sami.crw.handler.boat.BoatNews;
 import org.sami.crw.handler.boat.BoatQuestions;
+import org.sami.crw.handler.boat.FlightUseMemory;
 import org.sami.crw.handler.boat.NewBoats;
 import org.sami.crw.handler.boat.SentLists;
 import org.sami.crw.handler.boat.SettingRequests;
@@ -93,7 +94,8 @@ public final class CrwDomain implements AutoCloseable {
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
         ExploredAreas explored = new ExploredAreas(messages, computations, errors, fleet);
         List.<Consumer<FleetEvent>>of(
-                        new BoatBlocks(host, boats), // first: others may give the boat commands
+                        new FlightUseMemory(host, boats), // these first: others may give the boat commands
+                        new BoatBlocks(host, boats),
                         explored,
                         motion,
                         settings,

@@ -142,6 +142,16 @@ public final class BoatProxy {
                         .orElseGet(() -> Endurance.usual(battery.percent())));
     }
 
+    /** What it was seen to use in the air. */
+    public FlightUsed flightUsed() {
+        return condition.flightUse.used();
+    }
+
+    /** Counts what an earlier base saw it use in the air, where nothing was seen since. */
+    public void goOnFrom(FlightUsed earlier) {
+        condition.flightUse.goOnFrom(earlier);
+    }
+
     /** What it cannot do and what it measures, as it has reported. */
     public BoatCapabilities capabilities() {
         return settings.inForce().map(BoatTuning::capabilities).orElse(BoatCapabilities.UNKNOWN);

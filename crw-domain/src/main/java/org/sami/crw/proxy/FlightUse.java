@@ -46,6 +46,19 @@ final class FlightUse {
         usedS += seconds;
     }
 
+    /** What was seen. */
+    FlightUsed used() {
+        return new FlightUsed(usedPercent, usedS);
+    }
+
+    /** Counts what an earlier base saw, where nothing was seen since. */
+    void goOnFrom(FlightUsed earlier) {
+        if (usedS == 0) {
+            usedPercent = earlier.percent();
+            usedS = earlier.seconds();
+        }
+    }
+
     /** The charge that a second takes, in percent; empty before enough was seen. */
     OptionalDouble percentPerS() {
         return usedPercent >= ENOUGH_PERCENT && usedS > 0

@@ -8,6 +8,7 @@ import org.sami.boat.link.MotionDefaults;
 import org.sami.boat.link.PowerCurve;
 import org.sami.boat.server.ServerConfig;
 import org.sami.crw.fleet.RobotKind;
+import org.sami.crw.service.reach.Endurance;
 import org.sami.crw.service.reach.Range;
 
 /**
@@ -32,7 +33,7 @@ public record HullConfig(
 
     private static final double RETURN_MPS = 8; // this and the next two of a copter, which has to come home and land
     private static final double LOW_PERCENT = 35;
-    private static final double CRITICAL_PERCENT = 20;
+    private static final double CRITICAL_PERCENT = Endurance.LANDING_PERCENT;
 
     /** A boat of the fleet: 3.2 m/s, and about 3.5 km on one battery. */
     public static final HullConfig DEFAULT =
