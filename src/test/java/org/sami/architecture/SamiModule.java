@@ -104,7 +104,7 @@ enum SamiModule {
     /** The aircraft domain: its handlers, over the proxies of the base. */
     UAV_DOMAIN(
             "uav-domain",
-            31,
+            38,
             List.of("org.sami.uav.."),
             List.of(CRW_DOMAIN, CRW_SERVICES, SPN_CORE, SPN_LANGUAGE, BOAT_LINK)),
     /** What a front may ask a session and see of it, wherever it runs: no session, no transport. */
