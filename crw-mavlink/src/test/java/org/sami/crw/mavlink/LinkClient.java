@@ -105,11 +105,6 @@ final class LinkClient implements AutoCloseable {
         return said.stream().filter(kind::isInstance).map(kind::cast).reduce((before, later) -> later);
     }
 
-    /** Whether the vehicle has said such a message over this connection. */
-    <T extends LinkMessage> boolean has(Class<T> kind, Predicate<T> what) {
-        return said.stream().filter(kind::isInstance).map(kind::cast).anyMatch(what);
-    }
-
     /** How many messages of a kind the vehicle has said over this connection. */
     long count(Class<? extends LinkMessage> kind) {
         return said.stream().filter(kind::isInstance).count();

@@ -44,7 +44,7 @@ class MavlinkReportsPageTest {
             "autopilot/oxygen", 7.5,
             "autopilot/count", 12.0,
             "camera/picture", 3.0,
-            "camera/target", 1.0);
+            "camera/target", (double) SeenTargets.FIRST);
 
     private static final int PERCENT = 64;
 
@@ -76,7 +76,8 @@ class MavlinkReportsPageTest {
                 boat.reports().charge(PERCENT);
                 Await.until(
                         "its charge has come",
-                        () -> client.has(BatteryReport.class, report -> report.percent() == PERCENT));
+                        () -> client.hasHeard(
+                                said -> said instanceof BatteryReport report && report.percent() == PERCENT));
                 return;
             }
             boat.sends(MESSAGES.get(message));
@@ -85,7 +86,9 @@ class MavlinkReportsPageTest {
                     .toList();
             assertThat(readings)
                     .allSatisfy(reading -> Await.until(
-                            reading, () -> client.has(SensorReport.class, report -> isSame(report, reading))));
+                            reading,
+                            () -> client.hasHeard(
+                                    said -> said instanceof SensorReport report && isSame(report, reading))));
         }
     }
 
