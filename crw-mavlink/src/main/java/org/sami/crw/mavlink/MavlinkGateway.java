@@ -2,7 +2,6 @@ package org.sami.crw.mavlink;
 
 import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
-import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -14,12 +13,12 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.crw.proxy.gateway.BoatGateway;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.base.MavlinkBaseOptions;
-import org.sami.mavlink.link.LinkSigning;
 import org.sami.mavlink.link.SigningKey;
 import org.sami.spn.value.GeoArea;
 
@@ -47,12 +46,19 @@ public final class MavlinkGateway implements BoatGateway {
      * @param fleetKey signs all that is sent, where this base has one; who has signed with it is not taken without a signature any longer
      */
     public MavlinkGateway(LongSupplier nowMs, VehicleFiles files, Optional<SigningKey> fleetKey) {
+        this(nowMs, files, () -> fleetKey);
+    }
+
+    /**
+     * The same with a key that may be replaced while the gateway runs.
+     *
+     * @param fleetKey reads the key where it is kept, now and then again every second; throws an {@link IllegalStateException} in words where it cannot
+     */
+    public MavlinkGateway(LongSupplier nowMs, VehicleFiles files, Supplier<Optional<SigningKey>> fleetKey) {
         this.nowMs = Objects.requireNonNull(nowMs, "nowMs");
-        Optional<LinkSigning> signing =
-                fleetKey.map(key -> new LinkSigning(key, Instant::now, LinkSigning.Unsigned.TAKEN_UNTIL_SIGNED));
-        MavlinkBaseOptions options = new MavlinkBaseOptions(Optional.empty(), signing);
-        MavlinkBase base = new MavlinkBase(List.of(), nowMs, options);
-        links = new VehicleLinks(base, executor(), nowMs, Objects.requireNonNull(files, "files"));
+        FleetKeyInUse key = new FleetKeyInUse(fleetKey);
+        MavlinkBase base = new MavlinkBase(List.of(), nowMs, new MavlinkBaseOptions(Optional.empty(), key.signing()));
+        links = new VehicleLinks(base, executor(), nowMs, Objects.requireNonNull(files, "files"), key);
         ScheduledThreadPoolExecutor executor = new ScheduledThreadPoolExecutor(1, work -> {
             Thread made = new Thread(work, "mavlink boats");
             made.setDaemon(true);

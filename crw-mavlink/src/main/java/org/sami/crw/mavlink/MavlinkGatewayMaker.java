@@ -22,10 +22,11 @@ public final class MavlinkGatewayMaker implements GatewayMaker {
         return MavlinkAddress.PREFIX;
     }
 
-    /** A gateway that signs with the key of the fleet, where this base has one ({@code crw keys fleet}). */
+    /** A gateway that signs with the key of the fleet, where this base has one ({@code crw keys fleet}), also after it was replaced. */
     @Override
     public BoatGateway begin() {
-        return new MavlinkGateway(SteadyClock.ofThisMachine(), VehicleFiles.ofThisUser(), fleetKey());
+        return new MavlinkGateway(
+                SteadyClock.ofThisMachine(), VehicleFiles.ofThisUser(), MavlinkGatewayMaker::fleetKey);
     }
 
     private static Optional<SigningKey> fleetKey() {

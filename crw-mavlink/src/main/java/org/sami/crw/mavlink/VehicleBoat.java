@@ -3,6 +3,7 @@ package org.sami.crw.mavlink;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -61,6 +62,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehicleTexts texts;
     private boolean isReplaced; // another vehicle has its id, and what is kept is that one's
     private Optional<BaseSession> session = Optional.empty();
+    private final Set<String> toldOfKeys = new HashSet<>(); // in this session
     private final Set<SenderFault> toldSpeech = EnumSet.noneOf(SenderFault.class); // in this session
     private VehicleSnapshot vehicle;
     private long saidMs; // time of the last telemetry
@@ -198,6 +200,7 @@ final class VehicleBoat implements BaseSession.Boat {
         BaseSession next = new BaseSession(this, connection, takenBy);
         session = Optional.of(next);
         toldSpeech.clear();
+        toldOfKeys.clear();
         connection.open(next);
         LinkNews.of(name, vehicle).forEach(news -> next.say(news.weight(), news.text()));
         kept.news().ifPresent(next::alarm);
@@ -226,6 +229,11 @@ final class VehicleBoat implements BaseSession.Boat {
     void toldOfSpeech(MavlinkAddress link, SenderFault fault) {
         session.filter(told -> vehicle.links().contains(link) && toldSpeech.add(fault))
                 .ifPresent(told -> told.say(Priority.HIGH, name + " " + fault.words()));
+    }
+
+    /** Something is to be known of the key with which its links sign: the base is told once. */
+    void toldOfKey(String words) {
+        session.filter(told -> toldOfKeys.add(words)).ifPresent(told -> told.say(Priority.HIGH, words));
     }
 
     /** The fence that it is to hold by itself. */

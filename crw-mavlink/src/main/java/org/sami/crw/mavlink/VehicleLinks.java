@@ -41,6 +41,7 @@ final class VehicleLinks {
     private final VehicleFiles files;
     private final SeenTargets seen = new SeenTargets();
     private final MavlinkBase base;
+    private final FleetKeyInUse key;
     private final Consumer<VehicleEvent> events = this::heard;
     private final Map<Integer, VehicleBoat> boats = new TreeMap<>(); // by system id
     private final Map<Integer, InetSocketAddress> homes = new HashMap<>(); // where the session reaches each
@@ -64,8 +65,10 @@ final class VehicleLinks {
      * No links yet.
      *
      * @param base has no links; closed with these
+     * @param key with which it signs
      */
-    VehicleLinks(MavlinkBase base, Executor thread, LongSupplier nowMs, VehicleFiles files) {
+    VehicleLinks(MavlinkBase base, Executor thread, LongSupplier nowMs, VehicleFiles files, FleetKeyInUse key) {
+        this.key = key;
         this.thread = thread;
         this.nowMs = nowMs;
         this.files = files;
@@ -85,6 +88,7 @@ final class VehicleLinks {
      * @throws IllegalArgumentException where the address is none
      */
     void add(VehicleConnection connection, long now) {
+        key.look();
         base.open(linkOf(connection));
         if (connection.address().getPort() == EVERY_VEHICLE) {
             several.add(new Several(connection, new TreeSet<>(), now + TRY_MS));
@@ -131,6 +135,8 @@ final class VehicleLinks {
                     why -> asked = false);
         }
         if (ticks++ % STATUS_TICKS == 0) {
+            key.look();
+            boats.forEach((system, boat) -> key.warning(system, boat.name()).ifPresent(boat::toldOfKey));
             Results.when(base.plans(), thread, plans -> tell(plans, nowMs.getAsLong()), why -> {});
         }
     }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.CommandMessage;
@@ -51,6 +52,11 @@ final class LinkClient implements AutoCloseable {
 
     /** The same by a base that has the key of a fleet. */
     LinkClient(Path folder, String address, Optional<SigningKey> fleetKey) {
+        this(folder, address, () -> fleetKey);
+    }
+
+    /** The same by a base whose key is replaced meanwhile. */
+    LinkClient(Path folder, String address, Supplier<Optional<SigningKey>> fleetKey) {
         this.address = address;
         gateway = new MavlinkGateway(clock, new VehicleFiles(folder), fleetKey);
         link = connect();

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -16,6 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.HoldPosition;
+import org.sami.boat.link.Role;
 import org.sami.boat.link.SteadyClock;
 import org.sami.crw.proxy.gateway.GatewayLink;
 import org.sami.crw.proxy.tcp.BoatAddress;
@@ -56,6 +58,49 @@ class SignedVehicleTest {
         try (LinkClient client = new LinkClient(folder, boat.address() + "/5", Optional.of(OURS))) {
             assertThat(client.ask(new HoldPosition("hold"))).isInstanceOf(Ack.class);
             assertThat(boat.isArmed()).isTrue();
+        }
+    }
+
+    @Test
+    void keyThatIsReplacedMeanwhileLosesNoVehicleAndIsUsedOnceTheVehicleHasIt() throws Exception {
+        AtomicReference<SigningKey> kept = new AtomicReference<>(OURS);
+        try (LinkClient client = new LinkClient(folder, boat.address() + "/5", () -> Optional.of(kept.get()))) {
+            assertThat(client.ask(new HoldPosition("first"))).isInstanceOf(Ack.class);
+
+            kept.set(THEIRS);
+            client.untilAlarm("The key of the fleet was replaced by " + THEIRS.fingerprint()
+                    + "; links to mav5 go on with the one before it");
+            assertThat(client.ask(new HoldPosition("with the former one"))).isInstanceOf(Ack.class);
+
+            boat.giveKey(THEIRS);
+            assertThat(client.ask(new HoldPosition("with the new one"))).isInstanceOf(Ack.class);
+            assertThat(client.reconnect()).isEqualTo(Role.COMMANDER);
+        }
+    }
+
+    @Test
+    void linkThatIsOpenedAfterTheKeyWasReplacedSignsWithTheNewOne() throws Exception {
+        AtomicReference<SigningKey> kept = new AtomicReference<>(THEIRS);
+        try (MavlinkGateway gateway = new MavlinkGateway(
+                SteadyClock.ofThisMachine(), new VehicleFiles(folder), () -> Optional.of(kept.get()))) {
+            kept.set(OURS);
+            Ending ending = new Ending();
+            gateway.connect(BoatAddress.parse(boat.address() + "/5").toSocketAddress(), ending);
+
+            assertThat(ending.why.get(60, TimeUnit.SECONDS)).isEqualTo("opened");
+        }
+    }
+
+    @Test
+    void sessionThatBeganWithoutAKeyIsToldThatItSignsNothing() throws Exception {
+        try (SmallBoat unsigned = new SmallBoat(6, 45.7, 10.72, 1)) {
+            AtomicReference<Optional<SigningKey>> kept = new AtomicReference<>(Optional.empty());
+            try (LinkClient client = new LinkClient(folder, unsigned.address() + "/6", kept::get)) {
+                kept.set(Optional.of(OURS));
+
+                client.untilAlarm(
+                        "was made after this session began, which therefore signs nothing that it sends to mav6");
+            }
         }
     }
 

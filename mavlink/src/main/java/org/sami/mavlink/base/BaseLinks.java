@@ -109,12 +109,12 @@ final class BaseLinks implements AutoCloseable {
         }
     }
 
-    /** Sends on the link of an address; does nothing where there is none. */
-    void send(MavlinkAddress address, Object message) {
+    /** Sends a system a message on the link of an address; does nothing where there is none. */
+    void send(MavlinkAddress address, int system, Object message) {
         links.stream()
                 .filter(link -> link.address().equals(address))
                 .findFirst()
-                .ifPresent(link -> link.send(message));
+                .ifPresent(link -> link.send(system, message));
     }
 
     /** Sends on each link that this ground station is there. */

@@ -88,7 +88,9 @@ public final class MavlinkBase implements AutoCloseable {
         requests = new VehicleRequests(table, options, nowMs, thread, this::send);
         links = new BaseLinks(addresses, options.signing(), owner, this::handle);
         recognition = new LinkRecognition(
-                table, (vehicle, link, command) -> links.send(link, CommandMessages.of(vehicle, command, 0)));
+                table,
+                (vehicle, link, command) ->
+                        links.send(link, vehicle.system(), CommandMessages.of(vehicle, command, 0)));
         links.start();
         thread.begin(everyTick);
     }
@@ -309,7 +311,7 @@ public final class MavlinkBase implements AutoCloseable {
 
     /** Sends on the link that is chosen for a vehicle. */
     private void send(VehicleId vehicle, Object message) {
-        table.linkOf(vehicle).ifPresent(address -> links.send(address, message));
+        table.linkOf(vehicle).ifPresent(address -> links.send(address, vehicle.system(), message));
     }
 
     private void execute(Runnable work) {

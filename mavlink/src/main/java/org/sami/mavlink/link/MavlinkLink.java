@@ -54,7 +54,7 @@ public final class MavlinkLink implements AutoCloseable {
     private final Predicate<Class<?>> isRead;
     private final Duration silence;
     private final CountDownLatch closing = new CountDownLatch(1);
-    private final BlockingQueue<Object> outgoing = new ArrayBlockingQueue<>(UNSENT);
+    private final BlockingQueue<Outgoing> outgoing = new ArrayBlockingQueue<>(UNSENT);
     private final Thread reader;
     private final Thread writer;
     private final SequenceCount count = new SequenceCount();
@@ -69,6 +69,9 @@ public final class MavlinkLink implements AutoCloseable {
     private Optional<Integer> remoteRssi = Optional.empty();
     private long earlierBytes;
     private final LinkSenders senders = new LinkSenders();
+
+    /** A message that waits to be sent, and the system that it is for. */
+    private record Outgoing(int system, Object payload) {}
 
     /** An open way with its codec. */
     private record Connected(LinkStreams streams, MessageReader in, MavlinkConnection codec) {}
@@ -112,49 +115,56 @@ public final class MavlinkLink implements AutoCloseable {
     }
 
     /**
-     * Sends a message, soon: a thread of the link's own writes, so that a vehicle that takes nothing keeps nobody waiting.
+     * Sends a message for all, soon: a thread of the link's own writes, so that a vehicle that takes nothing keeps nobody waiting.
      *
      * @param payload a message of the library
      * @return whether it will be sent; a link that is broken, or whose other end takes nothing, sends nothing
      */
     public boolean send(Object payload) {
+        return send(LinkSigning.EVERYBODY, payload);
+    }
+
+    /** The same for one system, signed with the key with which that one signs. */
+    public boolean send(int system, Object payload) {
         synchronized (this) {
             if (connected.isEmpty()) {
                 return false;
             }
         }
-        return outgoing.offer(payload);
+        return outgoing.offer(new Outgoing(system, payload));
     }
 
     private void write() {
         try {
             while (true) {
-                Object payload = outgoing.take();
+                Outgoing message = outgoing.take();
                 Optional<Connected> now;
                 synchronized (this) {
                     now = connected;
                 }
-                now.ifPresent(open -> write(open, payload));
+                now.ifPresent(open -> write(open, message));
             }
         } catch (InterruptedException e) {
             // only closing interrupts it
         }
     }
 
-    private void write(Connected open, Object payload) {
+    private void write(Connected open, Outgoing message) {
         try {
             if (end.signing().isPresent()) {
                 LinkSigning signing = end.signing().get();
-                open.codec()
-                        .send2(
-                                end.system(),
-                                end.component(),
-                                payload,
-                                end.linkId(),
-                                signing.nextTime(),
-                                signing.key().secret());
+                for (SigningKey key : signing.keysTo(message.system())) {
+                    open.codec()
+                            .send2(
+                                    end.system(),
+                                    end.component(),
+                                    message.payload(),
+                                    end.linkId(),
+                                    signing.nextTime(),
+                                    key.secret());
+                }
             } else {
-                open.codec().send2(end.system(), end.component(), payload);
+                open.codec().send2(end.system(), end.component(), message.payload());
             }
             open.streams().out().flush();
         } catch (IOException e) {

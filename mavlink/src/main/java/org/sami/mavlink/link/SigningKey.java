@@ -33,6 +33,11 @@ public final class SigningKey {
         return secret.clone();
     }
 
+    /** Whether it is the same secret. */
+    public boolean isSame(SigningKey other) {
+        return MessageDigest.isEqual(secret, other.secret);
+    }
+
     /** Sixteen digits by which people compare keys without seeing them. */
     public String fingerprint() {
         try {

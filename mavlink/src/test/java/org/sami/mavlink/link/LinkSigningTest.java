@@ -111,6 +111,34 @@ class LinkSigningTest {
     }
 
     @Test
+    void whoHasSignedWithAFormerKeyGoesOnWithItUntilItSignsWithThePresentOne() throws Exception {
+        LinkSigning fleet = new LinkSigning(THEIRS, () -> now, LinkSigning.Unsigned.TAKEN_UNTIL_SIGNED);
+        assertThat(fleet.fault(packet(signed(THEIRS, 0, NOW)))).isEmpty();
+        fleet.renew(OURS);
+
+        MavlinkPacket former = packet(signed(THEIRS, 0, NOW.plusSeconds(1)));
+        assertThat(fleet.fault(former)).isEmpty();
+        assertThat(fleet.isOurs(former)).isFalse();
+        assertThat(fleet.isSigningWithFormer(1)).isTrue();
+        assertThat(fleet.keysTo(1)).containsExactly(THEIRS);
+        assertThat(fleet.keysTo(2)).containsExactly(OURS);
+        assertThat(fleet.keysTo(LinkSigning.EVERYBODY)).containsExactly(OURS, THEIRS);
+
+        assertThat(fleet.fault(packet(signed(OURS, 0, NOW.plusSeconds(2))))).isEmpty();
+        assertThat(fleet.isSigningWithFormer(1)).isFalse();
+        assertThat(fleet.keysTo(LinkSigning.EVERYBODY)).containsExactly(OURS);
+        assertThat(fleet.fault(packet(signed(THEIRS, 0, NOW.plusSeconds(3))))).contains(SignatureFault.WRONG);
+    }
+
+    @Test
+    void whoHasNotSignedWithTheFormerKeyIsNotTakenWithItOnceItIsReplaced() throws Exception {
+        LinkSigning fleet = new LinkSigning(THEIRS, () -> now, LinkSigning.Unsigned.TAKEN_UNTIL_SIGNED);
+        fleet.renew(OURS);
+
+        assertThat(fleet.fault(packet(signed(THEIRS, 0, NOW)))).contains(SignatureFault.WRONG);
+    }
+
+    @Test
     void keyIsNotShownAndCannotBeNothing() {
         assertThat(OURS.toString()).matches("signing key [0-9a-f]{16}");
         assertThat(OURS.fingerprint()).isNotEqualTo(THEIRS.fingerprint());

@@ -10,6 +10,7 @@ import java.security.KeyFactory;
 import java.security.cert.CertificateFactory;
 import java.security.cert.X509Certificate;
 import java.security.spec.PKCS8EncodedKeySpec;
+import java.time.Instant;
 import java.util.Base64;
 import java.util.Optional;
 import org.sami.boat.link.security.KeyRing.Content;
@@ -84,6 +85,17 @@ public final class KeyStoreFolder {
         } catch (IllegalArgumentException e) {
             throw new IOException(fleetFile() + " holds no key that can be read", e);
         }
+    }
+
+    /**
+     * When the secret of a fleet was put there; empty where there is none.
+     *
+     * @throws IOException if that cannot be read
+     */
+    public Optional<Instant> fleetKeySince() throws IOException {
+        return Files.exists(fleetFile())
+                ? Optional.of(Files.getLastModifiedTime(fleetFile()).toInstant())
+                : Optional.empty();
     }
 
     /** Keeps a secret of a fleet in place of the present one. */

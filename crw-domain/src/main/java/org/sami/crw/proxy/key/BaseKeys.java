@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.SecureRandom;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -33,8 +34,9 @@ public final class BaseKeys {
      * @param own the key of this base
      * @param boats that are paired with it, in the order in which they were
      * @param withdrawn keys that were withdrawn, in order
+     * @param fleet with which vehicles of other makers sign; empty where none was made
      */
-    public record Listing(Fingerprint own, List<Known> boats, List<Fingerprint> withdrawn) {
+    public record Listing(Fingerprint own, List<Known> boats, List<Fingerprint> withdrawn, Optional<FleetKey> fleet) {
         public Listing {
             boats = List.copyOf(boats);
             withdrawn = List.copyOf(withdrawn);
@@ -86,7 +88,17 @@ public final class BaseKeys {
     }
 
     /**
-     * The same; one is made where there is none.
+     * The same as people see it.
+     *
+     * @throws IOException as {@link #fleetKey}
+     */
+    public Optional<FleetKey> shownFleetKey() throws IOException {
+        Optional<Instant> since = new KeyStoreFolder(folder).fleetKeySince();
+        return fleetKey().map(secret -> FleetKey.of(secret, since.orElse(Instant.EPOCH)));
+    }
+
+    /**
+     * The secret with which the fleet signs; one is made where there is none.
      *
      * @throws IOException if it cannot be read or written
      */
@@ -121,7 +133,7 @@ public final class BaseKeys {
         List<Known> boats = ring.peers().stream()
                 .map(peer -> new Known(peer, Optional.ofNullable(seen.get(peer.fingerprint()))))
                 .toList();
-        return new Listing(ring.identity().fingerprint(), boats, ring.withdrawn());
+        return new Listing(ring.identity().fingerprint(), boats, ring.withdrawn(), shownFleetKey());
     }
 
     /**

@@ -14,6 +14,7 @@ import org.sami.boat.link.security.Fingerprint;
 import org.sami.crw.gui.context.OperatorContext;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.key.BaseKeys;
+import org.sami.crw.proxy.key.FleetKey;
 import org.sami.crw.proxy.status.LinkState;
 import org.sami.crw.proxy.tcp.BaseProtection;
 import org.sami.crw.session.key.KeyWork;
@@ -31,6 +32,10 @@ public final class KeysForm extends JPanel {
 
     private final OperatorContext context;
     private final KeyWork work;
+    private final WrappedText fleet = new WrappedText("");
+    private final JButton fleetKey;
+    private final JPanel ofVehicles =
+            new JPanel(new MigLayout("novisualpadding, insets 0, gap 8, fillx", "[grow,fill][]"));
     private final WrappedText own = new WrappedText("Reading the keys");
     private final WrappedText said = new WrappedText("");
     private final RowTable<Row> table;
@@ -66,19 +71,25 @@ public final class KeysForm extends JPanel {
                         RowColumn.<Row>words("Key", 0, row -> row.key().toString())
                                 .colored(KeysForm::color)));
         own.setName("keys-own");
+        fleet.setName("keys-fleet");
+        ofVehicles.setOpaque(false);
         said.setName("keys-said");
         below.setName("keys-below");
         below.setOpaque(false);
         actions.setOpaque(false);
-        actions.add(button("keys-pair", context.say("Pair a boat…"), pair), "growy");
-        withdraw = button("keys-withdraw", "Withdraw…", this::askWithdraw);
+        actions.add(button("keys-pair", context.say("Pair a boat…"), 'T', pair), "growy");
+        withdraw = button("keys-withdraw", "Withdraw…", 'W', this::askWithdraw);
         actions.add(withdraw, "growy");
-        actions.add(button("keys-lost", "A laptop is lost…", this::askLost), "growy");
-        actions.add(button("keys-export", "Export…", this::askExport), "growy");
-        actions.add(button("keys-import", "Import…", this::askImport), "growy");
+        actions.add(button("keys-lost", "A laptop is lost…", 'L', this::askLost), "growy");
+        actions.add(button("keys-export", "Export…", 'E', this::askExport), "growy");
+        actions.add(button("keys-import", "Import…", 'I', this::askImport), "growy");
+        fleetKey = button("keys-fleet-new", "New vehicle key…", 'K', this::makeFleetKey);
+        ofVehicles.add(fleet, "wmin 60");
+        ofVehicles.add(fleetKey, "hmin 40, top");
         add(own, WIDE);
         add(table, "growx, h 160:220:, hidemode 3");
         add(actions, WIDE + ", hidemode 3");
+        add(ofVehicles, WIDE + ", hidemode 3");
         add(below, WIDE + ", hidemode 3");
         add(said, WIDE + ", hidemode 3");
         table.addSelectionListener(this::enableButtons);
@@ -86,9 +97,11 @@ public final class KeysForm extends JPanel {
         work.read();
     }
 
-    private JButton button(String name, String words, Runnable pressed) {
+    private JButton button(String name, String words, char mnemonic, Runnable pressed) {
         JButton button = new JButton(words);
         button.setName(name);
+        button.setMnemonic(mnemonic);
+        button.setToolTipText("Alt+" + mnemonic);
         button.addActionListener(e -> pressed.run());
         buttons.add(button);
         return button;
@@ -111,13 +124,16 @@ public final class KeysForm extends JPanel {
         buttons.forEach(button -> button.setEnabled(!work.isBusy()));
         boolean boat = table.selected().filter(row -> !row.withdrawn()).isPresent();
         withdraw.setEnabled(!work.isBusy() && boat);
-        withdraw.setToolTipText(context.say(boat ? "Withdraw the key of the selected boat" : "Select a boat first"));
+        withdraw.setToolTipText(
+                context.say(boat ? "Withdraw the key of the selected boat (Alt+W)" : "Select a boat first"));
     }
 
     private void show(BaseKeys.Listing listing) {
         own.setText("This base is " + BaseKeys.nameOfThisBase()
                 + ". Its key, which another base withdraws where this laptop is" + " lost: " + listing.own()
                 + ". Kept in " + work.folder() + ".");
+        fleet.setText(fleetWords(listing.fleet()));
+        fleetKey.setText(listing.fleet().isPresent() ? "New vehicle key…" : "Make a vehicle key");
         List<Row> rows = new ArrayList<>();
         listing.boats()
                 .forEach(known -> rows.add(new Row(
@@ -130,6 +146,27 @@ public final class KeysForm extends JPanel {
         table.show(rows);
     }
 
+    private String fleetWords(Optional<FleetKey> key) {
+        return key.map(kept -> "Vehicles of other makers (MAVLink) sign with the key " + kept.fingerprint()
+                        + ", here since " + when(kept.since())
+                        + ". Export and Import take it along. Each vehicle is given"
+                        + " it over the cable of its first port: " + giving() + ".")
+                .orElse(
+                        "No key for vehicles of other makers (MAVLink) was made: nothing that is sent to them is signed.");
+    }
+
+    /** The command that gives a vehicle the key. */
+    private String giving() {
+        String folder = work.folder().equals(BaseProtection.folderOfThisUser())
+                ? ""
+                : " --keys " + work.folder().toAbsolutePath();
+        return "crw keys fleet" + folder + " --give mavlink:serial:/dev/ttyACM0:115200";
+    }
+
+    private static String when(Instant time) {
+        return WHEN.format(time.atZone(ZoneId.systemDefault()));
+    }
+
     private String seen(BaseKeys.Known known) {
         boolean linked = context.models()
                 .fleet()
@@ -140,7 +177,7 @@ public final class KeysForm extends JPanel {
         return linked
                 ? "linked now"
                 : known.seenMillis()
-                        .map(millis -> WHEN.format(Instant.ofEpochMilli(millis).atZone(ZoneId.systemDefault())))
+                        .map(millis -> when(Instant.ofEpochMilli(millis)))
                         .orElse("never");
     }
 
@@ -158,6 +195,7 @@ public final class KeysForm extends JPanel {
         below.setVisible(asked);
         table.setVisible(!asked);
         actions.setVisible(!asked);
+        ofVehicles.setVisible(!asked);
     }
 
     private void fit() {
@@ -199,10 +237,28 @@ public final class KeysForm extends JPanel {
                 }));
     }
 
+    private void makeFleetKey() {
+        Optional<FleetKey> present = work.listing().flatMap(BaseKeys.Listing::fleet);
+        if (present.isEmpty()) {
+            work.makeFleetKey();
+            return;
+        }
+        ask(new KeyQuestion(
+                        "Another key takes the place of " + present.get().fingerprint()
+                                + ", as where a laptop that has it was lost? Vehicles obey that one until each is given the"
+                                + " new one over the cable of its first port. A session that runs goes on with the vehicles"
+                                + " that it has heard; one that starts later reaches none before it has the new key.",
+                        this::leave)
+                .withAnswer("Replace the key", question -> {
+                    leave();
+                    work.renewFleetKey();
+                }));
+    }
+
     private void askExport() {
         ask(new KeyQuestion(
                         context.say(
-                                "All keys go into one encrypted file, for a second laptop, which is then the same base"
+                                "All keys, also that of vehicles of other makers, go into one encrypted file, for a second laptop, which is then the same base"
                                         + " to the boats."),
                         this::leave)
                 .withText("file", "File", System.getProperty("user.home") + "/fleet.keys")

@@ -104,7 +104,7 @@ public final class KeyWork {
                 throw new IllegalArgumentException("the two passwords differ");
             }
             KeyRing ring = keys.exportTo(file, password);
-            return file + " has this base's key and " + boats(ring);
+            return file + " has this base's key and " + boats(ring) + fleet();
         });
     }
 
@@ -114,8 +114,35 @@ public final class KeyWork {
             KeyRing ring = keys.importFrom(file, password, true);
             withdrawn.run();
             return "This base has the key " + ring.identity().fingerprint().shortText() + " and " + boats(ring)
-                    + " now; links are made with it from now on";
+                    + " now; links are made with it from now on" + fleet();
         });
+    }
+
+    /** Makes the key with which vehicles of other makers sign; one that there is already stays. */
+    public void makeFleetKey() {
+        work("Making a key", () -> {
+            boolean present = keys.fleetKey().isPresent();
+            keys.makeFleetKey();
+            return present
+                    ? "The fleet has a key already" + fleet()
+                    : "The key is made; no vehicle signs with it before it is given to it";
+        });
+    }
+
+    /** Makes another such key in place of the present one. */
+    public void renewFleetKey() {
+        work("Making a key", () -> {
+            keys.renewFleetKey();
+            return "The key is replaced. Vehicles obey the one before it until each is given the new one over its cable;"
+                    + " a session that runs goes on with those that it has heard until then";
+        });
+    }
+
+    /** That the fleet's key is among the keys, where there is one. */
+    private String fleet() throws IOException {
+        return keys.shownFleetKey()
+                .map(key -> "; vehicles sign with the key " + key.fingerprint())
+                .orElse("");
     }
 
     private static String boats(KeyRing ring) {
