@@ -38,7 +38,7 @@ class VehicleKeyWindowTest {
         KeyedWindow opened = new KeyedWindow(folder.resolve(laptop), "--domain", "uav");
         robot.press(VK_K, VK_ALT, VK_SHIFT);
         robot.untilShown("keys-sheet");
-        untilFleet(opened, "No key for vehicles of other makers (MAVLink) was made");
+        untilFleet(opened, "No key for vehicles of other makers (MAVLink signing) yet");
         return opened;
     }
 
@@ -66,14 +66,15 @@ class VehicleKeyWindowTest {
         try (KeyedWindow first = open("first")) {
             robot.press(VK_K, VK_ALT);
             until(first, "keys-said", "The key is made");
+            robot.untilFocused("keys-table"); // and not the fleet stop, which a further key would press
             String made = print("first");
-            untilFleet(first, "sign with the key " + made + ", here since 20");
+            untilFleet(first, "(MAVLink signing): " + made + ", here since 20");
             untilFleet(
                     first,
                     "crw keys fleet --keys " + KeyedWindow.keys(folder.resolve("first")) + " --give mavlink:serial:");
 
             robot.press(VK_K, VK_ALT);
-            until(first, "keys-question-words", "Another key takes the place of " + made);
+            until(first, "keys-question-words", "Replace the key " + made);
             robot.untilFocused("keys-leave");
             robot.press(VK_SPACE);
             robot.untilShown("keys-fleet-new");

@@ -121,7 +121,11 @@ public final class KeysForm extends JPanel {
     }
 
     private void enableButtons() {
+        boolean hadFocus = buttons.stream().anyMatch(JButton::isFocusOwner);
         buttons.forEach(button -> button.setEnabled(!work.isBusy()));
+        if (hadFocus && work.isBusy()) { // else it goes to what follows in the window, as the fleet stop
+            table.table().requestFocusInWindow();
+        }
         boolean boat = table.selected().filter(row -> !row.withdrawn()).isPresent();
         withdraw.setEnabled(!work.isBusy() && boat);
         withdraw.setToolTipText(
@@ -147,12 +151,12 @@ public final class KeysForm extends JPanel {
     }
 
     private String fleetWords(Optional<FleetKey> key) {
-        return key.map(kept -> "Vehicles of other makers (MAVLink) sign with the key " + kept.fingerprint()
+        return key.map(kept -> "Key for vehicles of other makers (MAVLink signing): " + kept.fingerprint()
                         + ", here since " + when(kept.since())
-                        + ". Export and Import take it along. Each vehicle is given"
-                        + " it over the cable of its first port: " + giving() + ".")
+                        + ". Export and Import take it along. Each vehicle gets it over"
+                        + " the cable of its first port:\n" + giving())
                 .orElse(
-                        "No key for vehicles of other makers (MAVLink) was made: nothing that is sent to them is signed.");
+                        "No key for vehicles of other makers (MAVLink signing) yet: what is sent to them is not signed.");
     }
 
     /** The command that gives a vehicle the key. */
@@ -244,8 +248,8 @@ public final class KeysForm extends JPanel {
             return;
         }
         ask(new KeyQuestion(
-                        "Another key takes the place of " + present.get().fingerprint()
-                                + ", as where a laptop that has it was lost? Vehicles obey that one until each is given the"
+                        "Replace the key " + present.get().fingerprint()
+                                + " by a new one, as when a laptop that has it is lost? Vehicles obey it until each is given the"
                                 + " new one over the cable of its first port. A session that runs goes on with the vehicles"
                                 + " that it has heard; one that starts later reaches none before it has the new key.",
                         this::leave)
