@@ -208,8 +208,8 @@ final class BoatExplainer {
                         condition.flies && !isAirborne() && last.cause() == Cause.ARRIVED && endsOnGround(command));
         return landed.isEmpty()
                 ? last.text(titles)
-                : Optional.of(
-                        "it is on the ground, as " + titles.words(landed.get().mission()) + " wants it to be");
+                : Optional.of("it is on the ground, to which "
+                        + titles.words(landed.get().mission()) + " brought it");
     }
 
     private static boolean endsOnGround(BoatCommand command) {

@@ -136,7 +136,7 @@ class ExplainTest {
         boat.says(at(0));
 
         assertThat(boat.proxy.explain().text())
-                .contains("boat1 ", "it is on the ground, as mission 1 wants it to be")
+                .contains("boat1 ", "it is on the ground, to which mission 1 brought it")
                 .doesNotContain("arrived");
     }
 

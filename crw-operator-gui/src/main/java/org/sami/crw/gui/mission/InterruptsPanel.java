@@ -34,7 +34,7 @@ public final class InterruptsPanel extends JPanel {
     private final InterruptCommands commands;
     private final InterruptConfirm confirm;
     private final ScrolledPanel column = new ScrolledPanel(
-            new MigLayout("novisualpadding, insets 0 8 0 8, gap 0 4, wrap 1, fillx, hidemode 3", "[grow,fill]", ""));
+            new MigLayout("novisualpadding, insets 4 8 0 8, gap 0 4, wrap 1, fillx, hidemode 3", "[grow,fill]", ""));
     private final Map<Key, InterruptRow> rows = new HashMap<>();
     private List<Object> arranged = List.of();
 
