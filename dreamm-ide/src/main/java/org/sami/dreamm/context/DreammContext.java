@@ -34,6 +34,7 @@ public final class DreammContext implements AutoCloseable {
     private final NetPreview preview = new NetPreview();
     private final BackgroundWork background = new BackgroundWork(notices::refused);
     private final ProjectMaps maps;
+    private final ComponentLibrary components;
     private final ValueEditors values;
     private final Additions additions;
 
@@ -55,8 +56,11 @@ public final class DreammContext implements AutoCloseable {
         editor = new EditorState(document);
         commands = new CommandRegistry(profile);
         maps = new ProjectMaps(document);
+        components = domain.components().equals(ComponentLibrary.EMPTY)
+                ? DomainSource.SHIPPED.library().orThrow().components() // as in the operator's window
+                : domain.components();
         values = new ValueEditors(
-                new ComponentChoice(domain.components(), domain.vocabulary().types()),
+                new ComponentChoice(components, domain.vocabulary().types()),
                 new ValueContext(domain.vocabulary().types(), new ProjectNames(document, editor), maps));
         additions = new Additions(
                 document,
@@ -138,7 +142,7 @@ public final class DreammContext implements AutoCloseable {
 
     /** The components with which the domain's values are given. */
     public ComponentLibrary components() {
-        return domain.components();
+        return components;
     }
 
     /** Makes editors of values, for the open plan. */
