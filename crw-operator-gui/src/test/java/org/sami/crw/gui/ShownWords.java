@@ -2,6 +2,8 @@ package org.sami.crw.gui;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Rectangle;
+import java.awt.event.MouseEvent;
 import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
@@ -15,8 +17,9 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.text.JTextComponent;
 import org.sami.ui.map.MapView;
+import org.sami.ui.map.PaintingWork;
 
-/** All words of a component and what lies in it: texts, tooltips, menus, cells, tabs, and what a screen reader says. On the event thread. */
+/** All words of a component and what lies in it: texts, tooltips, menus, cells of tables and lists, tabs, what a screen reader says, and what is painted. On the event thread. */
 final class ShownWords {
     private final Set<String> words = new LinkedHashSet<>();
 
@@ -25,6 +28,9 @@ final class ShownWords {
     static Set<String> of(Component component) {
         ShownWords all = new ShownWords();
         all.walk(component);
+        if (component.getWidth() > 0 && component.getHeight() > 0) {
+            PaintingWork.textsOf(component).forEach(all::add);
+        }
         return all.words;
     }
 
@@ -49,6 +55,8 @@ final class ShownWords {
             }
         } else if (component instanceof JComboBox<?> box) {
             addItems(box);
+        } else if (component instanceof JList<?> list) {
+            addRows(list);
         } else if (component instanceof MapView map) {
             map.layers().all().forEach(layer -> add(layer.title()));
         }
@@ -74,8 +82,29 @@ final class ShownWords {
             add(table.getColumnName(column));
             for (int row = 0; row < table.getRowCount(); row++) {
                 walk(table.prepareRenderer(table.getCellRenderer(row, column), row, column));
+                add(table.getToolTipText(pointed(table, table.getCellRect(row, column, true))));
             }
         }
+    }
+
+    private <E> void addRows(JList<E> list) {
+        for (int row = 0; row < list.getModel().getSize(); row++) {
+            Component cell = list.getCellRenderer()
+                    .getListCellRendererComponent(list, list.getModel().getElementAt(row), row, false, false);
+            walk(cell);
+            Rectangle place = list.getCellBounds(row, row);
+            if (place != null && !place.isEmpty()) {
+                cell.setSize(place.getSize());
+                PaintingWork.textsOf(cell).forEach(this::add);
+                add(list.getToolTipText(pointed(list, place)));
+            }
+        }
+    }
+
+    /** The pointer in the middle of a place. */
+    private static MouseEvent pointed(Component at, Rectangle place) {
+        return new MouseEvent(
+                at, MouseEvent.MOUSE_MOVED, 0, 0, (int) place.getCenterX(), (int) place.getCenterY(), 0, false);
     }
 
     private <E> void addItems(JComboBox<E> box) {

@@ -10,6 +10,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
+import javax.swing.JFrame;
 import javax.swing.JRootPane;
 import javax.swing.JTabbedPane;
 import org.sami.crw.gui.window.OperatorWindow;
@@ -25,10 +26,14 @@ final class WindowInMemory {
     private static final int MOST_ROUNDS =
             4; // panels that are arranged again, and dividers, hear of a size after its layout
 
-    private final OperatorWindow window;
+    private final JFrame frame;
 
     WindowInMemory(OperatorWindow window) {
-        this.window = window;
+        this(window.frame());
+    }
+
+    WindowInMemory(JFrame frame) {
+        this.frame = frame;
     }
 
     /** Gives it a look. */
@@ -103,7 +108,7 @@ final class WindowInMemory {
     }
 
     private JRootPane root() {
-        return window.frame().getRootPane();
+        return frame.getRootPane();
     }
 
     /** Brings tabs to the front that were not seen yet, one in each pane; false where there are none any longer. */

@@ -184,7 +184,7 @@ final class CountingGraphics extends Graphics2D {
 
     @Override
     public void drawString(String a, int b, int c) {
-        work.add(a.length());
+        work.text(a);
         target.drawString(a, b, c);
     }
 
@@ -268,7 +268,7 @@ final class CountingGraphics extends Graphics2D {
 
     @Override
     public void drawString(String a, float b, float c) {
-        work.add(a.length());
+        work.text(a);
         target.drawString(a, b, c);
     }
 
