@@ -208,8 +208,8 @@ final class BoatExplainer {
                         condition.flies && !isAirborne() && last.cause() == Cause.ARRIVED && endsOnGround(command));
         return landed.isEmpty()
                 ? last.text(titles)
-                : Optional.of("it is on the ground, to which "
-                        + titles.words(landed.get().mission()) + " brought it");
+                : Optional.of("it is on the ground, where its path ended for "
+                        + titles.words(landed.get().mission()));
     }
 
     private static boolean endsOnGround(BoatCommand command) {

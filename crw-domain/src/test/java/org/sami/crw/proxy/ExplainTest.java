@@ -136,7 +136,7 @@ class ExplainTest {
         boat.says(at(0));
 
         assertThat(boat.proxy.explain().text())
-                .contains("boat1 ", "it is on the ground, to which mission 1 brought it")
+                .contains("boat1 ", "it is on the ground, where its path ended for mission 1")
                 .doesNotContain("arrived");
     }
 
