@@ -100,6 +100,16 @@ class CopterWindowTest {
             assertThat(tabsWith("map")).containsExactly("Map", "Pictures", "Gantt");
             assertThat(robot.find(DockPanel.class, "missions").title()).isEqualTo("Missions");
             robot.until("the copters are a line each again", () -> lines.isShowing() && !cards.isShowing());
+
+            DockPanel alone = robot.find(DockPanel.class, "missions");
+            int begins = WindowRobot.ask(() -> below(alone));
+            WindowRobot.ask(() -> {
+                Look.apply(Theme.DARK, 100);
+                return true;
+            });
+            assertThat(WindowRobot.ask(() -> below(alone)))
+                    .as("no line is drawn around it after a change of theme")
+                    .isEqualTo(begins);
         }
     }
 
@@ -186,6 +196,11 @@ class CopterWindowTest {
                     .mapToObj(tabs::getTitleAt)
                     .toList();
         });
+    }
+
+    /** How far a panel lies below the upper edge of its window. */
+    private static int below(DockPanel panel) {
+        return SwingUtilities.convertPoint(panel, 0, 0, SwingUtilities.getRootPane(panel)).y;
     }
 
     private JTable table() {

@@ -7,6 +7,7 @@ import io.github.andrewauclair.moderndocking.app.RootDockingPanel;
 import io.github.andrewauclair.moderndocking.event.DockingListener;
 import io.github.andrewauclair.moderndocking.event.MaximizeListener;
 import io.github.andrewauclair.moderndocking.exception.DockingLayoutException;
+import io.github.andrewauclair.moderndocking.internal.DockedSimplePanel;
 import io.github.andrewauclair.moderndocking.layouts.ApplicationLayout;
 import io.github.andrewauclair.moderndocking.settings.Settings;
 import java.awt.Component;
@@ -94,6 +95,7 @@ public final class DockArea extends JPanel implements AutoCloseable {
         add(root);
         proportions = SplitProportions.keep(root, this::changed);
         TabWidths.keep(root);
+        ComponentWatch.on(root, DockArea::keepWithoutLines);
         TabKeys.leaveToCommands(root);
         panels.forEach(panel -> this.panels.put(panel.getPersistentID(), panel));
         this.offered = offered.of(this.panels.keySet());
@@ -117,6 +119,17 @@ public final class DockArea extends JPanel implements AutoCloseable {
             }
         });
         Look.addListener(adapting);
+    }
+
+    /** Modern Docking draws no lines around a panel without tabs at first, but does after a change of look. */
+    private static void keepWithoutLines(Component found) {
+        if (found instanceof DockedSimplePanel pane) {
+            pane.addPropertyChangeListener("border", change -> {
+                if (change.getNewValue() != null) {
+                    pane.setBorder(null);
+                }
+            });
+        }
     }
 
     /** Of this area: the library's classes with such names keep to the first one of the process. */

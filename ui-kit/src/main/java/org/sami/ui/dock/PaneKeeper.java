@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import javax.swing.BorderFactory;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import org.sami.ui.EventThread;
@@ -47,9 +46,6 @@ final class PaneKeeper extends ComponentAdapter {
     }
 
     void install() {
-        pane.setBorder(
-                BorderFactory
-                        .createEmptyBorder()); // none of Modern Docking's, which a change of look replaced by lines
         size = free();
         laidOut = size;
         remember();

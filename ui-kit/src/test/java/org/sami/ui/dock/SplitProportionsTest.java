@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.BorderLayout;
 import java.awt.Container;
 import java.awt.Dimension;
-import java.awt.Insets;
 import java.awt.Point;
 import java.util.ArrayList;
 import java.util.List;
@@ -68,22 +67,6 @@ class SplitProportionsTest {
         resize(1280, 800);
 
         assertThat(part(outer)).isCloseTo(0.25, within(0.002));
-    }
-
-    @Test
-    void aChangeOfLookDrawsNoLinesAroundPanels() {
-        EventThread.get(() -> {
-            outer.setBorder(null); // as Modern Docking makes it
-            return null;
-        });
-        keepFrom(1600, 1000, 0.58, 0.7);
-
-        Insets insets = EventThread.get(() -> {
-            outer.updateUI();
-            return outer.getInsets();
-        });
-
-        assertThat(insets).isEqualTo(new Insets(0, 0, 0, 0));
     }
 
     /** A layout may come and go with a size before anybody hears of it, and put the divider somewhere meanwhile. */
