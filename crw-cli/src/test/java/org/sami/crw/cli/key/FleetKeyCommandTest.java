@@ -9,6 +9,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.cli.CommandResult;
+import org.sami.crw.proxy.key.BaseKeys;
+import org.sami.crw.proxy.key.FleetKey;
 import org.sami.mavlink.testing.SmallVehicle;
 
 /** {@code crw keys fleet}, and {@code crw vehicles} with its key. */
@@ -38,6 +40,9 @@ class FleetKeyCommandTest {
         assertThat(made.out()).matches("[0-9a-f]{16}  this fleet\\R");
         assertThat(keys("fleet", one).out()).isEqualTo(made.out());
         String print = made.out().substring(0, 16);
+        assertThat(new BaseKeys(one).shownFleetKey().map(FleetKey::fingerprint))
+                .as("as a window shows it")
+                .contains(print);
         assertThat(keys("list", one).out()).contains(print + "  fleet of vehicles");
 
         Path file = folder.resolve("fleet.keys");
