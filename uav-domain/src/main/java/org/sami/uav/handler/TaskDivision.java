@@ -158,11 +158,13 @@ final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, Hos
         List<TaskId> later = tasks.tasks.stream()
                 .filter(task -> !candidates.containsKey(task))
                 .toList();
+        boolean isNothingToDo = tasks.tasks.isEmpty() && !from.isEmpty(); // then the plan still waits for the answer
+        boolean isAnswered = isNothingToDo || !candidates.isEmpty();
         waiting.remove(tasks.activation.id());
-        if (!later.isEmpty()) {
+        if (!later.isEmpty() || !isAnswered) {
             waiting.put(tasks.activation.id(), new Waiting(tasks.activation, tasks.context, later));
         }
-        if (!candidates.isEmpty()) {
+        if (isAnswered) {
             divide(tasks.activation, tasks.context, from, candidates);
         }
     }

@@ -127,4 +127,11 @@ class TaskFailuresTest {
         charge("copter2", 100);
         assertThat(allocatedTo()).isEqualTo(new ProxyValue("copter2"));
     }
+
+    @Test
+    void planThatHasNoTasksToAllocateIsAnswered() {
+        harness.activate(division, Map.of(), List.of());
+
+        assertThat(harness.answered()).containsExactly(UavEvents.ALLOCATIONS_COMPUTED);
+    }
 }
