@@ -274,6 +274,28 @@ class FlightChargesTest {
                 .contains("nobody has answered in time, and it comes home while its charge lasts: copter1 needs");
     }
 
+    @Test
+    void copterWhoseChargeFallsFasterThanWasThoughtComesHomeBeforeItsQuestionEnds() {
+        askInTheAir();
+        charge(21);
+        harness.pass(60);
+
+        assertThat(harness.altM("copter1")).isZero();
+        assertThat(harness.answered()).endsWith(UavEvents.CANNOT_FLY);
+        assertThat(harness.withdrawn).hasSize(1);
+    }
+
+    @Test
+    void copterWaitsOnWhereTheOperatorHasStoppedTheTimer() {
+        askInTheAir();
+        harness.stopTimer();
+        charge(21);
+        harness.pass(60);
+
+        assertThat(harness.altM("copter1")).isPositive();
+        assertThat(harness.withdrawn).isEmpty();
+    }
+
     /** The question on the ground has no deadline, and the one in the air waits for it. */
     @Test
     void copterInTheAirWhoseQuestionWaitsForAnotherComesHomeAsWell() {

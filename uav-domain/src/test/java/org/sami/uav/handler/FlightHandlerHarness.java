@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -36,11 +37,14 @@ import org.sami.spn.model.Plan;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Answer;
 import org.sami.spn.protocol.Answerer;
+import org.sami.spn.protocol.Decision;
 import org.sami.spn.protocol.Effect;
+import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.MissionStatus;
 import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.protocol.Priority;
+import org.sami.spn.protocol.Question;
 import org.sami.spn.protocol.Token;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.TaskId;
@@ -59,6 +63,7 @@ final class FlightHandlerHarness implements HandlerContext {
     final Map<TaskId, Map<String, Value>> tasks = new HashMap<>();
     final Map<String, Value> memory = new HashMap<>(); // of the mission
     final Map<TaskId, String> allocation = new HashMap<>();
+    final List<Input.WithdrawQuestion> withdrawn = new ArrayList<>();
     private final List<Consumer<FleetEvent>> listeners = new ArrayList<>();
     private final List<Token> standing = new ArrayList<>();
     private final List<Activation> given = new ArrayList<>();
@@ -228,8 +233,32 @@ final class FlightHandlerHarness implements HandlerContext {
                 allocate(allocate.allocation());
             } else if (input instanceof Input.AskOperator question) {
                 asked.add(question);
+                step(ways, question, new Effect.DecisionOpened(decision(question)));
+            } else if (input instanceof Input.WithdrawQuestion withdrawn) {
+                this.withdrawn.add(withdrawn);
+                step(ways, withdrawn, new Effect.DecisionClosed(asked.size(), Optional.empty(), Optional.empty()));
             }
         }
+    }
+
+    /** The last question as the engine opens it. */
+    private Decision decision(Input.AskOperator question) {
+        return new Decision(
+                asked.size(),
+                Ids.NONE,
+                Ids.NONE,
+                question.kind(),
+                question.prompt(),
+                new Question.Approve(),
+                Optional.empty(),
+                OptionalLong.empty(),
+                question.priority(),
+                List.of());
+    }
+
+    /** The operator stops the timer of the last question. */
+    void stopTimer() {
+        step(ways, new Input.HoldDecision(asked.size()), new Effect.DecisionHeld(asked.size()));
     }
 
     private void allocate(Map<TaskId, Optional<String>> robots) {

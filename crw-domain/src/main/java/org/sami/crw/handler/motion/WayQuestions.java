@@ -2,6 +2,7 @@ package org.sami.crw.handler.motion;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,6 +12,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.crw.decision.DomainQuestion;
@@ -64,6 +66,9 @@ public final class WayQuestions implements HostListener {
     private final FlightCharges flights;
     private final Map<String, WayQuestion> held = new LinkedHashMap<>(); // by kind and activation
     private final List<WayQuestion> next = new ArrayList<>(); // the same, while an earlier one is open
+    private final Set<String> timed =
+            new HashSet<>(); // those of the held ones whose timer runs, as far as this base has started it
+    private final Map<Long, String> asked = new HashMap<>(); // by decision; for the engine's steps alone
 
     /**
      * Asks about the ways of some boats.
@@ -83,18 +88,41 @@ public final class WayQuestions implements HostListener {
     void accept(FleetEvent event) {
         returns.accept(event);
         flights.accept(event);
-        if (event instanceof FleetEvent.StatusReported reported && !next.isEmpty()) {
+        if (event instanceof FleetEvent.StatusReported reported && !(next.isEmpty() && timed.isEmpty())) {
             bringHome(reported.status().boatId());
         }
     }
 
-    /** What waits for another question has no time of its own: it ends with the charge that is left. */
+    /**
+     * What waits for another question has no time of its own, and a battery may last shorter than it did when the time of a question was found: it ends with the
+     * charge that is left. Not where the operator has stopped the timer.
+     */
     private void bringHome(String aircraft) {
+        Predicate<Move> mustGo = move ->
+                move.addressee().boat().equals(aircraft) && flights.waitS(move).orElse(1) <= 0;
         for (WayQuestion one : List.copyOf(next)) {
-            comeHome(one.taking(move -> move.addressee().boat().equals(aircraft)
-                    && flights.waitS(move).orElse(1) <= 0));
+            comeHome(one.taking(mustGo));
         }
         next.removeIf(one -> one.doubted().isEmpty());
+        for (String key : List.copyOf(timed)) {
+            Optional.ofNullable(held.get(key)).ifPresent(one -> {
+                comeHome(one.taking(mustGo));
+                if (one.doubted().isEmpty()) {
+                    timed.remove(key);
+                    one.context().post(new Input.WithdrawQuestion(one.kind().kind(), one.about()));
+                }
+            });
+        }
+    }
+
+    /** A question is withdrawn; the next one is asked once it is, so that no answer to it counts for the next. */
+    private void withdrawn(String key) {
+        if (Optional.ofNullable(held.get(key))
+                .filter(one -> one.doubted().isEmpty())
+                .isPresent()) {
+            held.remove(key);
+            askNext(key);
+        }
     }
 
     /** Counts moves that go on after a restart of the base; they were asked about before. */
@@ -221,6 +249,9 @@ public final class WayQuestions implements HostListener {
     }
 
     private void comeHome(WayQuestion flying) {
+        if (flying.doubted().isEmpty()) {
+            return;
+        }
         flying.remember(false);
         List<Move> home = flying.moves()
                 .flatMap(one -> flights.home(flying.activation(), one.move()).stream())
@@ -315,12 +346,34 @@ public final class WayQuestions implements HostListener {
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
         boolean byAutonomy = false;
         for (Effect effect : effects) {
-            if (effect instanceof Effect.DecisionClosed closed) {
+            if (effect instanceof Effect.DecisionOpened opened
+                    && input instanceof Input.AskOperator question
+                    && question.unanswered().isPresent()) {
+                String key = key(question.kind(), question.about());
+                asked.put(opened.decision().id(), key);
+                fleet.execute(() -> timed.add(key));
+            } else if (effect instanceof Effect.DecisionHeld stopped) {
+                Optional.ofNullable(asked.get(stopped.decision()))
+                        .ifPresent(key -> fleet.execute(() -> timed.remove(key)));
+            } else if (effect instanceof Effect.DecisionClosed closed) {
+                closed(closed);
                 byAutonomy = closed.by().filter(by -> by == Answerer.AUTONOMY).isPresent();
             } else if (effect instanceof Effect.QuestionAnswered answered) {
                 boolean late = byAutonomy; // its decision was closed just before
                 fleet.execute(() -> answered(answered, late));
             }
+        }
+    }
+
+    private void closed(Effect.DecisionClosed closed) {
+        String key = asked.remove(closed.decision());
+        if (key != null) {
+            fleet.execute(() -> {
+                timed.remove(key);
+                if (closed.answer().isEmpty()) {
+                    withdrawn(key);
+                }
+            });
         }
     }
 
