@@ -4,9 +4,12 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.vehicle.ModeNames;
@@ -26,14 +29,27 @@ final class RadioControl {
     private static final int LOWEST_US = 900; // less is no pulse
     private static final int[] POSITIONS_US = {1_231, 1_361, 1_491, 1_621, 1_750}; // between the six of a mode switch
     private static final int POSITIONS = 6;
+    private static final int FIRST_SWITCH = 5; // the channels before it are sticks
+    private static final int SWITCH_LOW_US =
+            1_200; // below it, and above the next, a switch with three positions is at an end
+    private static final int SWITCH_HIGH_US = 1_800;
 
-    /** A switch whose function has a name is announced. */
+    /** Few switches are announced: not those that change the mode or arm. */
     private static final Pattern SWITCHED = Pattern.compile("^RC\\d+: .*");
 
     /** What it receives at a moment. */
     private record Sample(List<Integer> pulsesUs, long atMs) {
         int pulseUs(int channel) {
             return channel >= 1 && channel <= pulsesUs.size() ? pulsesUs.get(channel - 1) : 0;
+        }
+
+        /** The positions of all switches but one: 0 low, 1 in the middle, 2 high. */
+        List<Integer> switches(int without) {
+            return IntStream.rangeClosed(FIRST_SWITCH, pulsesUs.size())
+                    .filter(channel -> channel != without)
+                    .map(this::pulseUs)
+                    .mapToObj(pulse -> pulse < SWITCH_LOW_US ? 0 : pulse > SWITCH_HIGH_US ? 2 : 1)
+                    .toList();
         }
     }
 
@@ -42,6 +58,7 @@ final class RadioControl {
     private final VehicleKind kind;
     private final Executor thread;
     private final Deque<Sample> samples = new ArrayDeque<>(); // oldest first
+    private Optional<Sample> earlier = Optional.empty(); // the one before these
     private final List<Integer> modes = new ArrayList<>(); // by the positions of the switch; six once they are read
     private int modeChannel; // from 1 on; 0 before it is read
     private int armingChannel;
@@ -108,6 +125,7 @@ final class RadioControl {
     void restarted() {
         modes.clear();
         samples.clear();
+        earlier = Optional.empty();
         position = -1;
         reads++;
     }
@@ -115,7 +133,9 @@ final class RadioControl {
     /** It says what it receives, microseconds by channel. */
     void heard(List<Integer> pulsesUs, long atMs) {
         samples.addLast(new Sample(pulsesUs, atMs));
-        samples.removeIf(sample -> atMs - sample.atMs() > RECENT_MS);
+        while (atMs - samples.getFirst().atMs() > RECENT_MS) {
+            earlier = Optional.of(samples.removeFirst());
+        }
         int now = positionOf(samples.getLast().pulseUs(modeChannel));
         if (now >= 0 && position >= 0 && now != position) {
             switchedMs = atMs;
@@ -161,15 +181,32 @@ final class RadioControl {
         return hasSwitched || atMs - announcedMs <= RECENT_MS || (isArming && isArmingHeld());
     }
 
+    /** Whether no other switch was moved around a moment, as far as what was received before and after it shows; any may change the mode or arm. */
+    private boolean areOtherSwitchesStill(long sinceMs) {
+        List<Sample> all = Stream.concat(earlier.stream(), samples.stream()).toList();
+        return all.get(0).atMs() < sinceMs
+                && all.stream()
+                                .map(sample -> sample.switches(modeChannel))
+                                .distinct()
+                                .count()
+                        == 1;
+    }
+
     /**
-     * Whether the pilot cannot have done it: what was received since then shows that the mode switch stands elsewhere, and the stick that arms was not held.
+     * Whether the pilot cannot have done it: what was received before and since then shows that the mode switch stands elsewhere, that no other switch was moved, and that
+     * the stick that arms was not held.
      *
      * @param sinceMs when the vehicle reported the change
      */
     boolean isRuledOut(VehicleSnapshot vehicle, boolean isArming, long sinceMs) {
         boolean isSeenAfter = !samples.isEmpty() && samples.getLast().atMs() >= sinceMs;
         boolean isModeKnown = position >= 0 && modes.size() == POSITIONS;
-        boolean isArmingKnown = !isArming || (samples.size() > 1 && !isArmingHeld());
-        return isSeenAfter && isModeKnown && !standsAt(vehicle.mode()) && isArmingKnown;
+        boolean isArmingKnown =
+                !isArming || (samples.size() > 1 && samples.getFirst().atMs() < sinceMs && !isArmingHeld());
+        return isSeenAfter
+                && isModeKnown
+                && !standsAt(vehicle.mode())
+                && isArmingKnown
+                && areOtherSwitchesStill(sinceMs);
     }
 }

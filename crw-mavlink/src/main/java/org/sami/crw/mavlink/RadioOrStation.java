@@ -21,6 +21,7 @@ final class RadioOrStation {
     private boolean certain = true; // the last answer
     private long changedMs = Long.MIN_VALUE / 2;
     private long armedMs = Long.MIN_VALUE / 2;
+    private long disarmedMs = Long.MIN_VALUE / 4;
 
     RadioOrStation(RadioControl radio) {
         this.radio = radio;
@@ -30,6 +31,7 @@ final class RadioOrStation {
     void reported(VehicleSnapshot before, VehicleSnapshot now, long atMs) {
         changedMs = before.mode().equals(now.mode()) && before.armed() == now.armed() ? changedMs : atMs;
         armedMs = now.armed() && !before.armed() ? atMs : armedMs;
+        disarmedMs = !now.armed() && before.armed() ? atMs : disarmedMs;
     }
 
     /** Something happened to the vehicle; whether it tells more of who controls it. */
@@ -57,7 +59,9 @@ final class RadioOrStation {
         } else if (vehicle.health().radioControl() && radio.hasActed(vehicle, isArming, atMs)) {
             return "a pilot's radio control";
         }
-        boolean isStation = !vehicle.health().radioControl() || radio.isRuledOut(vehicle, isArming, changedMs);
+        boolean isDisarming = disarmedMs == changedMs; // which the mode switch tells nothing of
+        boolean isStation =
+                !vehicle.health().radioControl() || (!isDisarming && radio.isRuledOut(vehicle, isArming, changedMs));
         certain = isStation;
         if (vehicle.stations().isEmpty()) {
             return isStation ? "a ground station that is not heard here" : "a pilot or another ground station";
