@@ -26,7 +26,7 @@ final class ImpossibleTasks implements TaskFailures.Impossible {
 
     @Override
     public List<String> aircraft() {
-        return robots.boatIds().stream()
+        return host.ask(view -> List.copyOf(view.proxies())).stream() // not those that the operator has dropped
                 .filter(name -> robots.find(name)
                         .filter(one -> one.isFlying() && one.status().pose().isPresent())
                         .isPresent())

@@ -90,7 +90,8 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
 
     private void failed(TaskId task, String aircraft) {
         failures.computeIfAbsent(task, unused -> new HashMap<>()).merge(aircraft, 1, Integer::sum);
-        if (candidates(task, impossible.aircraft()).isEmpty()) {
+        List<String> all = impossible.aircraft();
+        if (!all.isEmpty() && candidates(task, all).isEmpty()) {
             impossible.became(task);
         }
     }
