@@ -8,15 +8,18 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.boat.link.BatteryDefaults;
 import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.proxy.status.BatteryState;
 import org.sami.spn.engine.EngineView;
 import org.sami.spn.host.HostListener;
 import org.sami.spn.protocol.Effect;
 import org.sami.spn.protocol.Input;
+import org.sami.spn.protocol.Occurrence;
 import org.sami.spn.value.TaskId;
+import org.sami.spn.value.TextValue;
 
 /**
- * How often aircraft failed at tasks that they had: a task is given to one that failed less often, and to none that failed {@link #MOST} times. Another battery
+ * How often aircraft failed at tasks that they had, other commands that took them not counted: a task is given to one that failed less often, and to none that failed {@link #MOST} times. Another battery
  * begins anew, and so does a restart of the base. For the fleet's thread; it passes the engine's steps on to it.
  */
 final class TaskFailures implements Consumer<FleetEvent>, HostListener {
@@ -75,7 +78,8 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
     @Override
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
         if (input instanceof Input.Received received
-                && received.occurrence().type().equals(UavEvents.CANNOT_FLY)) {
+                && received.occurrence().type().equals(UavEvents.CANNOT_FLY)
+                && !isDisplaced(received.occurrence())) {
             for (TaskId task : received.occurrence().tasks()) {
                 Optional.ofNullable(view.allocation().get(task))
                         .ifPresent(aircraft -> fleet.execute(() -> failed(task, aircraft)));
@@ -86,6 +90,11 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
                 fleet.execute(() -> failures.keySet().removeIf(task -> task.mission() == ended.mission()));
             }
         }
+    }
+
+    /** Whether another command took the aircraft, which might have done the task. */
+    private static boolean isDisplaced(Occurrence failure) {
+        return failure.values().get("reason") instanceof TextValue reason && MotionCommands.isDisplaced(reason.value());
     }
 
     private void failed(TaskId task, String aircraft) {

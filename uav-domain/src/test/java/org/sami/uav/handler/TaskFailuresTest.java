@@ -8,9 +8,15 @@ import java.util.Map;
 import java.util.Objects;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.handler.motion.Reply;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Occurrence;
+import org.sami.spn.protocol.Priority;
 import org.sami.spn.protocol.Token;
+import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.ListValue;
 import org.sami.spn.value.MapValue;
 import org.sami.spn.value.ProxyValue;
@@ -133,5 +139,48 @@ class TaskFailuresTest {
         harness.activate(division, Map.of(), List.of());
 
         assertThat(harness.answered()).containsExactly(UavEvents.ALLOCATIONS_COMPUTED);
+    }
+
+    @Test
+    void aircraftThatMoreUrgentCommandsTookHasNotFailed() {
+        for (String copter : List.of("copter1", "copter2")) {
+            harness.allocation.put(TASK, copter);
+            flyAndTakeTwice(copter);
+            assertThat(harness.answered()).containsOnly(UavEvents.CANNOT_FLY).hasSize(2);
+            harness.answers.forEach(answer -> harness.step(failures, new Input.Received(answer)));
+            harness.answers.clear();
+        }
+
+        assertThat(impossible).isEmpty();
+        divide();
+        assertThat(harness.answers).hasSize(1);
+    }
+
+    private GeoPoint at(String copter) {
+        return harness.flights.position(copter).orElseThrow();
+    }
+
+    private void flyAndTakeTwice(String copter) {
+        for (int i = 0; i < 2; i++) {
+            Addressee one = new Addressee(copter, false, List.of(TASK));
+            List<GeoPoint> way = List.of(Flights.at(Geodesy.offset(at(copter), 0, 300), 30));
+            harness.activate(
+                    (activation, context) -> harness.motion.send(
+                            activation,
+                            context,
+                            List.of(Flights.move(
+                                    activation,
+                                    context,
+                                    new Flights.Flight(one, way, Flights.SPEED_MPS),
+                                    Reply.way(UavEvents.REACHED_LOCATION, UavEvents.CANNOT_FLY),
+                                    ""))),
+                    Map.of(),
+                    List.of(new Token.Task(TASK)));
+            harness.pass(3);
+            harness.proxy(copter)
+                    .commands()
+                    .submit(FollowPath.of("urgent-" + copter + i, 2, 1, List.of(at(copter)), Priority.HIGH));
+            harness.pass(10);
+        }
     }
 }

@@ -37,6 +37,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     public static final String UNKNOWN_BOAT = "no boat of that name is known";
 
     private static final String REPLACED = "a newer command of the same mission took its place";
+    private static final String PREEMPTED = "a command of higher priority took the boat";
 
     private final ProxyRegistry boats;
     private final MessageSink messages;
@@ -60,6 +61,11 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         awaitingPosition = new MovesAwaitingPosition(boats);
         unasked = new UnaskedMoves(clearWays, questions, clearWays.errors());
         held = new HeldMoves(questions, awaitingPosition);
+    }
+
+    /** Whether a command failed because another one took its place, by the reason that the plan received: the boat might have done it. */
+    public static boolean isDisplaced(String reason) {
+        return reason.equals(REPLACED) || reason.equals(PREEMPTED);
     }
 
     /** What boats have left of their paths. */
@@ -470,7 +476,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     /** A command that was displaced fails for whoever still waits for it. */
     private void onWithdrawn(BoatCommand command, Withdrawal why) {
         SentCommand one = sent.remove(command.commandId());
-        String reason = why == Withdrawal.PREEMPTED ? "a command of higher priority took the boat" : REPLACED;
+        String reason = why == Withdrawal.PREEMPTED ? PREEMPTED : REPLACED;
         if (one != null && (why == Withdrawal.PREEMPTED || one.isAwaitedByItsBoat())) {
             one.post(failed(one, reason));
         } else {
