@@ -2,6 +2,7 @@ package org.sami.crw.mavlink;
 
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.sami.mavlink.vehicle.VehiclePosition;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
@@ -18,9 +19,9 @@ final class ForeignStart {
         wasArmed = armed;
     }
 
-    /** Who armed it is known better now. */
-    void known(String who) {
-        by = by.map(before -> who);
+    /** Who armed it is known better now than it was said before. */
+    void known(String before, String who) {
+        by = by.map(named -> named.equals(before) ? who : named);
     }
 
     /**
@@ -28,15 +29,15 @@ final class ForeignStart {
      *
      * @param isTheirs whether somebody else than the base has the vehicle
      * @param isStopped whether a fleet stop is latched on it
-     * @param who has it, in words
+     * @param who says who has it, in words; asked only where somebody has armed it
      */
-    Optional<String> seen(VehicleSnapshot now, boolean isTheirs, boolean isStopped, String who) {
+    Optional<String> seen(VehicleSnapshot now, boolean isTheirs, boolean isStopped, Supplier<String> who) {
         boolean isStart = now.armed() && !wasArmed && (isTheirs || isStopped);
         wasArmed = now.armed();
         if (isStart) {
-            by = Optional.of(who);
+            by = Optional.of(who.get());
             return Optional.of(
-                    name + " is armed by " + who + (isStopped ? " though it was stopped" : "") + ": it may move");
+                    name + " is armed by " + by.get() + (isStopped ? " though it was stopped" : "") + ": it may move");
         }
         double mps = now.position().map(VehiclePosition::speedMps).orElse(0.0);
         if (!now.armed()) {

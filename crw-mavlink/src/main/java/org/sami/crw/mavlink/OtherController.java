@@ -37,7 +37,8 @@ final class OtherController {
 
     private final RadioControl radio;
     private final RadioOrStation person;
-    private String named = ""; // the person named last
+    private String named = ""; // the person named last, with the vehicle's state
+    private String namedPerson = "";
     private String words = ""; // of its last failsafe
     private long saidMs;
     private long batterySaidMs = Long.MIN_VALUE / 2;
@@ -135,7 +136,8 @@ final class OtherController {
         if (person.isCertain() || !before.equals(named)) {
             return Optional.empty();
         }
-        return Optional.of(person(vehicle, state(vehicle), atMs)).filter(now -> !now.equals(before));
+        String now = person.who(vehicle, atMs);
+        return now.equals(namedPerson) ? Optional.empty() : Optional.of(person(vehicle, state(vehicle), atMs));
     }
 
     private static String state(VehicleSnapshot vehicle) {
@@ -143,7 +145,8 @@ final class OtherController {
     }
 
     private String person(VehicleSnapshot vehicle, String state, long atMs) {
-        named = person.who(vehicle, atMs) + " (" + state + ")";
+        namedPerson = person.who(vehicle, atMs);
+        named = namedPerson + " (" + state + ")";
         return named;
     }
 }

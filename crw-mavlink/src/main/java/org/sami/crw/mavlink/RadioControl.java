@@ -193,6 +193,17 @@ final class RadioControl {
     }
 
     /**
+     * Whether nothing is received of a pilot's radio control, as was seen since a moment.
+     *
+     * @param sinceMs when the vehicle reported a change
+     */
+    boolean isNotReceived(long sinceMs) {
+        return !samples.isEmpty()
+                && samples.getLast().atMs() >= sinceMs
+                && samples.getLast().pulsesUs().isEmpty();
+    }
+
+    /**
      * Whether the pilot cannot have done it: what was received before and since then shows that the mode switch stands elsewhere, that no other switch was moved, and that
      * the stick that arms was not held.
      *

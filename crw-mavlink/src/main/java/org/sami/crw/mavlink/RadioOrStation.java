@@ -56,12 +56,12 @@ final class RadioOrStation {
         certain = true;
         if (station.isPresent()) {
             return stations(List.of(station.get()));
-        } else if (vehicle.health().radioControl() && radio.hasActed(vehicle, isArming, atMs)) {
+        } else if (radio.hasActed(vehicle, isArming, atMs)) {
             return "a pilot's radio control";
         }
         boolean isDisarming = disarmedMs == changedMs; // which the mode switch tells nothing of
         boolean isStation =
-                !vehicle.health().radioControl() || (!isDisarming && radio.isRuledOut(vehicle, isArming, changedMs));
+                radio.isNotReceived(changedMs) || (!isDisarming && radio.isRuledOut(vehicle, isArming, changedMs));
         certain = isStation;
         if (vehicle.stations().isEmpty()) {
             return isStation ? "a ground station that is not heard here" : "a pilot or another ground station";

@@ -258,31 +258,32 @@ final class VehicleBoat implements BaseSession.Boat {
         if (another || placed) {
             reportSettings();
         }
-        String who = others.who(now, atMs);
         boolean isTheirs = session.filter(told -> !told.takenBy().isEmpty()).isPresent();
         session.filter(told -> taken).ifPresent(told -> {
+            String who = others.who(now, atMs);
             sayTaken(told, who);
             told.takenBy(who);
         });
         if (taken) {
             others.read();
         }
-        Optional<String> news = start.seen(now, taken || isTheirs, orders.isLatched(), who);
+        Optional<String> news = start.seen(now, taken || isTheirs, orders.isLatched(), () -> others.who(now, atMs));
         session.ifPresent(told -> news.ifPresent(text -> {
             told.say(Priority.CRITICAL, text);
             if (isTheirs) {
-                told.takenBy(who);
+                told.takenBy(others.who(now, atMs));
             }
         }));
+        learnedWho(atMs);
     }
 
     /** What was heard tells more of who has it. */
     private void learnedWho(long atMs) {
-        session.flatMap(told -> others.better(told.takenBy(), vehicle, atMs)).ifPresent(who -> {
-            start.known(who);
+        session.ifPresent(told -> others.better(told.takenBy(), vehicle, atMs).ifPresent(who -> {
+            start.known(told.takenBy(), who);
             urgent(name + " is controlled by " + who);
-            session.ifPresent(told -> told.takenBy(who));
-        });
+            told.takenBy(who);
+        }));
     }
 
     /** Whether this vehicle is another one than that whose list and state were read, as its number tells, which it has said late. */

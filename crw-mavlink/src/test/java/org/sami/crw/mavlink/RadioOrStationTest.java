@@ -123,7 +123,7 @@ class RadioOrStationTest {
         try (MavlinkBase other = other()) {
             other.setMode(other.vehicles().join().get(0).id(), "MANUAL").join();
 
-            untilSaid("taken by ground station 255 (not this base, which has the same id) (MANUAL)");
+            untilSaid("by ground station 255 (not this base, which has the same id) (MANUAL)");
             world.until("it is somebody else's", BOAT, proxy -> !proxy.isCommanding());
             world.tell(BOAT, proxy -> proxy.handOver().takeCommand());
             Await.until("it goes on", GatewayWorld.WAIT_S, () -> boat.isArmed() && boat.mode() == GUIDED);

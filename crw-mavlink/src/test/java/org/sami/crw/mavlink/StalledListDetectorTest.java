@@ -27,7 +27,7 @@ class StalledListDetectorTest {
                 Optional.of(new VehiclePosition(45.7, 10.72, 0, speedMps, Optional.empty(), 0, 0)),
                 Optional.empty(),
                 Optional.empty(),
-                new VehicleHealth(true, false, false, Optional.empty(), true, List.of()),
+                new VehicleHealth(true, false, false, Optional.empty(), List.of()),
                 Optional.of(item),
                 Optional.empty(),
                 List.of(),

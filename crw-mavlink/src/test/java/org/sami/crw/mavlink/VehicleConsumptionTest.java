@@ -46,7 +46,7 @@ class VehicleConsumptionTest {
                 Optional.of(at),
                 Optional.of(new VehicleBattery(Optional.empty(), Optional.of(percent))),
                 Optional.empty(),
-                new VehicleHealth(true, false, false, Optional.empty(), true, List.of()),
+                new VehicleHealth(true, false, false, Optional.empty(), List.of()),
                 Optional.empty(),
                 Optional.empty(),
                 List.of(),

@@ -18,6 +18,8 @@ import org.sami.mavlink.link.MavlinkLink;
  * has the base's own ids cannot be told from it. What a vehicle holds is the same for all: an item that another station has asked for counts.
  */
 final class AnswerTargets {
+    private static final int MISSION = 0; // as against fences and rally points
+
     /** Commands that change what a vehicle does. */
     private static final Set<Integer> CHANGING = Set.of(
                     MavCmd.MAV_CMD_DO_SET_MODE,
@@ -59,6 +61,7 @@ final class AnswerTargets {
             return OptionalInt.of(it.targetSystem());
         } else if (message instanceof MissionAck it
                 && it.type().entry() == MavMissionResult.MAV_MISSION_ACCEPTED
+                && it.missionType().value() == MISSION
                 && isForAnother(it)) {
             return OptionalInt.of(it.targetSystem());
         }

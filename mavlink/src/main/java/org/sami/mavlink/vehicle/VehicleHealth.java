@@ -17,23 +17,16 @@ import org.sami.mavlink.address.MavlinkAddress;
  * @param failsafe whether it carries out a failsafe: it has lost radio, ground station, position or charge
  * @param outsideFence whether it has left its fence
  * @param fenceOn whether the fence that it holds is in force, whatever its parameters say; empty where it does not say that it holds one
- * @param radioControl whether a pilot's radio control reaches it; true before it has said so
  * @param failing the parts that are switched on and do not work, such as {@code gps} or {@code battery}, and that another vehicle has its id
  */
 public record VehicleHealth(
-        boolean mayArm,
-        boolean failsafe,
-        boolean outsideFence,
-        Optional<Boolean> fenceOn,
-        boolean radioControl,
-        List<String> failing) {
+        boolean mayArm, boolean failsafe, boolean outsideFence, Optional<Boolean> fenceOn, List<String> failing) {
     private static final String ANOTHER = "another vehicle has the id ";
     private static final String TOO = " too";
     private static final String PREFIX = "MAV_SYS_STATUS_";
     private static final String SENSOR = "SENSOR_";
     private static final int CHECKS = bit(MavSysStatusSensor.MAV_SYS_STATUS_PREARM_CHECK);
     private static final int FENCE = bit(MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE);
-    private static final int RECEIVER = bit(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_RC_RECEIVER);
     private static final List<Part> PARTS = Arrays.stream(MavSysStatusSensor.values())
             .map(part -> new Part(bit(part), name(part)))
             .filter(part -> part.bit != CHECKS)
@@ -52,7 +45,7 @@ public record VehicleHealth(
     }
 
     static VehicleHealth unknown() {
-        return new VehicleHealth(false, false, false, Optional.empty(), true, List.of());
+        return new VehicleHealth(false, false, false, Optional.empty(), List.of());
     }
 
     VehicleHealth with(SysStatus status) {
@@ -65,7 +58,6 @@ public record VehicleHealth(
                 failsafe,
                 outsideFence,
                 hasFence ? Optional.of((enabled & FENCE) != 0) : Optional.empty(),
-                (status.onboardControlSensorsPresent().value() & working & RECEIVER) != 0,
                 PARTS.stream()
                         .filter(part -> (broken & part.bit) != 0)
                         .map(Part::name)
@@ -95,14 +87,14 @@ public record VehicleHealth(
     private VehicleHealth with(String fault) {
         List<String> more = new ArrayList<>(failing);
         more.add(fault);
-        return new VehicleHealth(mayArm, failsafe, outsideFence, fenceOn, radioControl, more);
+        return new VehicleHealth(mayArm, failsafe, outsideFence, fenceOn, more);
     }
 
     VehicleHealth withFailsafe(boolean now) {
-        return new VehicleHealth(mayArm, now, outsideFence, fenceOn, radioControl, failing);
+        return new VehicleHealth(mayArm, now, outsideFence, fenceOn, failing);
     }
 
     VehicleHealth withFence(boolean outside) {
-        return new VehicleHealth(mayArm, failsafe, outside, fenceOn, radioControl, failing);
+        return new VehicleHealth(mayArm, failsafe, outside, fenceOn, failing);
     }
 }

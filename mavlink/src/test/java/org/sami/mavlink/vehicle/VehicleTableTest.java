@@ -427,8 +427,7 @@ class VehicleTableTest {
                 .build());
         heard(FenceStatus.builder().breachStatus(1).build());
 
-        assertThat(only().health())
-                .isEqualTo(new VehicleHealth(true, true, true, Optional.empty(), false, List.of("gps")));
+        assertThat(only().health()).isEqualTo(new VehicleHealth(true, true, true, Optional.empty(), List.of("gps")));
     }
 
     @Test

@@ -157,7 +157,7 @@ public final class SmallBoatReports {
         }
         int battery =
                 EnumValue.of(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY).value();
-        int present = battery | now.fence().present() | now.radio().working();
+        int present = battery | now.fence().present();
         beatsLeft = Math.max(0, beatsLeft - 1);
         send.accept(SysStatus.builder()
                 .onboardControlSensorsPresent(EnumValue.create(present))

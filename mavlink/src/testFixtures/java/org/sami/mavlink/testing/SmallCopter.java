@@ -58,7 +58,6 @@ public final class SmallCopter implements AutoCloseable {
     private final SmallBoatMission mission;
     private final SmallVehicleParameters parameters = SmallVehicleParameters.ofCopter(this::send);
     private final SmallVehicleFence fence = new SmallVehicleFence(this::send);
-    private final SmallVehicleRadio radio = new SmallVehicleRadio();
     private final ScheduledExecutorService steps = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread made = new Thread(work, "small copter moves");
         made.setDaemon(true);
@@ -363,9 +362,9 @@ public final class SmallCopter implements AutoCloseable {
                 .hdg(9_000)
                 .build());
         link.send(SysStatus.builder()
-                .onboardControlSensorsPresent(EnumValue.create(fence.present() | radio.working()))
+                .onboardControlSensorsPresent(EnumValue.create(fence.present()))
                 .onboardControlSensorsEnabled(EnumValue.create(fence.enabled()))
-                .onboardControlSensorsHealth(EnumValue.create(fence.present() | radio.working()))
+                .onboardControlSensorsHealth(EnumValue.create(fence.present()))
                 .voltageBattery(12_600)
                 .batteryRemaining(87)
                 .build());

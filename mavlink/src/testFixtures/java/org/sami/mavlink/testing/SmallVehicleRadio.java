@@ -1,8 +1,6 @@
 package org.sami.mavlink.testing;
 
-import io.dronefleet.mavlink.common.MavSysStatusSensor;
 import io.dronefleet.mavlink.common.RcChannels;
-import io.dronefleet.mavlink.util.EnumValue;
 import java.util.Arrays;
 import java.util.Optional;
 
@@ -30,16 +28,11 @@ public final class SmallVehicleRadio {
         received = false;
     }
 
-    /** Its bit in the reports of sensors that are there and work. */
-    synchronized int working() {
-        return received
-                ? EnumValue.of(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_RC_RECEIVER)
-                        .value()
-                : 0;
-    }
-
     /** What it receives. */
     synchronized Optional<RcChannels> message() {
+        if (!received) {
+            return Optional.of(RcChannels.builder().chancount(0).build());
+        }
         return moved
                 ? Optional.of(RcChannels.builder()
                         .chancount(CHANNELS)
