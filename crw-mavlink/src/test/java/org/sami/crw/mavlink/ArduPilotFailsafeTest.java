@@ -27,7 +27,7 @@ import org.sami.spn.value.GeoPoint;
 @Tag("long")
 @Timeout(900)
 class ArduPilotFailsafeTest {
-    private static final int NUMBER = 90;
+    private static final int NUMBER = 102;
     private static final int SPEED = 5;
     private static final VehicleId ID = new VehicleId(NUMBER + 1, 1);
     private static final String BOAT = "mav" + ID;

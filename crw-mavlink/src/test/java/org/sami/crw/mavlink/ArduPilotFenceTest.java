@@ -25,7 +25,7 @@ import org.sami.spn.value.GeoArea;
 @Tag("long")
 @Timeout(600)
 class ArduPilotFenceTest {
-    private static final int NUMBER = 92;
+    private static final int NUMBER = 104;
     private static final int SPEED = 5;
     private static final double WAIT_S = 300; // its parameters are sent when it has started
     private static final int SWITCH_FENCE = 207;

@@ -32,7 +32,7 @@ import org.sami.mavlink.testing.SimulatorTruth;
  */
 @Timeout(1200)
 class ArduPilotSeamsTest {
-    private static final int NUMBER = 93;
+    private static final int NUMBER = 106;
     private static final int SPEED = 10;
     private static final int LOCATIONS = 2_000;
     private static final int LANE = 230; // locations; no turn is nearer than 20 m to where parts meet
