@@ -35,7 +35,7 @@ final class FleetKeyInUse {
     }
 
     /** Reads the key again. One that cannot be read, or is there no longer, leaves the one in use. */
-    void look() {
+    void reread() {
         try {
             kept.get().ifPresent(this::take);
             fault = "";

@@ -7,13 +7,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.sami.mavlink.base.MavlinkBase;
 import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.vehicle.ModeNames;
-import org.sami.mavlink.vehicle.StatusText;
 import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
@@ -33,9 +31,6 @@ final class RadioControl {
     private static final int SWITCH_LOW_US =
             1_200; // below it, and above the next, a switch with three positions is at an end
     private static final int SWITCH_HIGH_US = 1_800;
-
-    /** Few switches are announced: not those that change the mode or arm. */
-    private static final Pattern SWITCHED = Pattern.compile("^RC\\d+: .*");
 
     /** What it receives at a moment. */
     private record Sample(List<Integer> pulsesUs, long atMs) {
@@ -64,8 +59,7 @@ final class RadioControl {
     private int armingChannel;
     private int reads;
     private int position = -1; // of the mode switch; -1 before it is known
-    private long switchedMs = Long.MIN_VALUE / 2; // its mode switch
-    private long announcedMs = Long.MIN_VALUE / 2; // another switch
+    private long switchedMs = Long.MIN_VALUE / 2; // when the mode switch was moved
 
     RadioControl(MavlinkBase base, VehicleId id, VehicleKind kind, Executor thread) {
         this.base = base;
@@ -143,13 +137,6 @@ final class RadioControl {
         position = now;
     }
 
-    /** The autopilot said something. */
-    void said(StatusText text, long atMs) {
-        if (SWITCHED.matcher(text.text()).matches()) {
-            announcedMs = atMs;
-        }
-    }
-
     private static int positionOf(int pulseUs) {
         if (pulseUs < LOWEST_US) {
             return -1;
@@ -172,13 +159,14 @@ final class RadioControl {
     }
 
     /**
-     * Whether the pilot has done it: moved the mode switch to the vehicle's mode just now, moved another switch that changes something, or held the stick that arms.
+     * Whether the pilot has done it: moved the mode switch to the vehicle's mode just now, or held the stick that arms. Switches that
+     * ArduPilot announces by a text (RC7: CameraTrigger HIGH) change no mode and arm nothing.
      *
      * @param isArming whether the vehicle was armed just now
      */
     boolean hasActed(VehicleSnapshot vehicle, boolean isArming, long atMs) {
         boolean hasSwitched = atMs - switchedMs <= RECENT_MS && standsAt(vehicle.mode());
-        return hasSwitched || atMs - announcedMs <= RECENT_MS || (isArming && isArmingHeld());
+        return hasSwitched || (isArming && isArmingHeld());
     }
 
     /** Whether no other switch was moved around a moment, as far as what was received before and after it shows; any may change the mode or arm. */

@@ -43,8 +43,6 @@ final class RadioOrStation {
             obeyed = Optional.of(station.station());
             obeyedMs = atMs;
             return true;
-        } else if (event instanceof VehicleEvent.Said said) {
-            radio.said(said.text(), atMs);
         }
         return false;
     }

@@ -88,7 +88,7 @@ final class VehicleLinks {
      * @throws IllegalArgumentException where the address is none
      */
     void add(VehicleConnection connection, long now) {
-        key.look();
+        key.reread();
         base.open(linkOf(connection));
         if (connection.address().getPort() == EVERY_VEHICLE) {
             several.add(new Several(connection, new TreeSet<>(), now + TRY_MS));
@@ -135,7 +135,7 @@ final class VehicleLinks {
                     why -> asked = false);
         }
         if (ticks++ % STATUS_TICKS == 0) {
-            key.look();
+            key.reread();
             boats.forEach((system, boat) -> key.warning(system, boat.name()).ifPresent(boat::toldOfKey));
             Results.when(base.plans(), thread, plans -> tell(plans, nowMs.getAsLong()), why -> {});
         }

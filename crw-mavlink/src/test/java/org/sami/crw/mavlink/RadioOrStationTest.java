@@ -184,4 +184,28 @@ class RadioOrStationTest {
 
         untilSaid(BOAT + " is taken by a pilot or another ground station (MANUAL)");
     }
+
+    @Test
+    void pilotWhoOnlyMovesAnotherSwitchHasNotTakenIt() {
+        connect();
+        sail();
+
+        boat.says(6, "RC7: CameraTrigger HIGH");
+        boat.takenByPilot(MANUAL, true);
+
+        untilSaid(BOAT + " is taken by a pilot or another ground station (MANUAL)");
+    }
+
+    @Test
+    void baseOnTwoLinksIsNoOtherStationOfItself() {
+        boat.radio().none();
+        world.connect(boat.address());
+        world.connect(boat.secondAddress());
+        world.untilReady(BOAT);
+        sail();
+
+        boat.takenByPilot(MANUAL, true);
+
+        untilSaid("a ground station that is not heard here (MANUAL)");
+    }
 }
