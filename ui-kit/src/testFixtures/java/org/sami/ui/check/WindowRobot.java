@@ -132,11 +132,13 @@ public final class WindowRobot {
     /** Waits until something is so that takes its time. */
     public void until(String what, int withinS, Supplier<Boolean> so) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(withinS);
+        boolean isLast = false; // a look that began in time may have waited for the event thread until long after
         while (!ask(so)) {
-            if (System.nanoTime() > end) {
+            if (isLast) {
                 throw new AssertionError("not within " + withinS + " s: " + what + picture());
             }
             LockSupport.parkNanos(LOOK_NANOS);
+            isLast = System.nanoTime() > end;
         }
     }
 

@@ -1,5 +1,6 @@
 package org.sami.crw.gui.context;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.sami.crw.session.JoinOrder;
 import org.sami.palette.ProxyMarks;
@@ -15,7 +16,9 @@ import org.sami.ui.EventThread;
  */
 public final class MarksOfBoats implements HostListener {
     private final ProxyMarks marks;
-    private final JoinOrder order = new JoinOrder(); // on the event thread
+    private final JoinOrder order = new JoinOrder(); // on the event thread, as are the two below
+    private final List<Runnable> held = new ArrayList<>(); // steps that came before the state did
+    private boolean known;
 
     private MarksOfBoats(ProxyMarks marks) {
         this.marks = marks;
@@ -24,8 +27,8 @@ public final class MarksOfBoats implements HostListener {
     /** Gives marks to the boats that a session has, and to those that will join. */
     public static void give(ShownSession shown, ProxyMarks marks) {
         MarksOfBoats boats = new MarksOfBoats(marks);
+        shown.addListener(boats); // first, so that no step is missed between it and the state
         shown.ask(view -> new Known(view.proxies(), !view.missions().isEmpty())).thenAccept(boats::apply);
-        shown.addListener(boats);
     }
 
     private record Known(List<String> boats, boolean missions) {}
@@ -34,17 +37,27 @@ public final class MarksOfBoats implements HostListener {
     public void onStep(long index, long atMillis, Input input, List<Effect> effects, EngineView view) {
         if (input instanceof Input.ProxyJoined || effects.stream().anyMatch(Effect.MissionStarted.class::isInstance)) {
             EventThread.later(() -> {
-                order.onStep(input, effects);
-                order.decided().forEach(marks::give);
+                held.add(() -> order.onStep(input, effects));
+                follow();
             });
         }
     }
 
-    private void apply(Known known) {
-        order.join(known.boats());
-        if (known.missions()) {
+    /** Follows the steps that were held: a mission's start decides the order of the boats that the state before it names. */
+    private void follow() {
+        if (known) {
+            held.forEach(Runnable::run);
+            held.clear();
+            order.decided().forEach(marks::give);
+        }
+    }
+
+    private void apply(Known state) {
+        order.join(state.boats());
+        if (state.missions()) {
             order.begin();
         }
-        order.decided().forEach(marks::give);
+        known = true;
+        follow();
     }
 }

@@ -121,11 +121,11 @@ public final class KeysForm extends JPanel {
     }
 
     private void enableButtons() {
-        boolean hadFocus = buttons.stream().anyMatch(JButton::isFocusOwner);
-        buttons.forEach(button -> button.setEnabled(!work.isBusy()));
-        if (hadFocus && work.isBusy()) { // else it goes to what follows in the window, as the fleet stop
+        if (work.isBusy()) { // else it goes to what follows in the window, as the fleet stop; a button pressed by its
+            // key may only be about to get it
             table.table().requestFocusInWindow();
         }
+        buttons.forEach(button -> button.setEnabled(!work.isBusy()));
         boolean boat = table.selected().filter(row -> !row.withdrawn()).isPresent();
         withdraw.setEnabled(!work.isBusy() && boat);
         withdraw.setToolTipText(

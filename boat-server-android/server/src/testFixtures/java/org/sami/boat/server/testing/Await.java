@@ -22,11 +22,13 @@ public final class Await {
     /** The same for what takes longer on any machine. */
     public static long until(String what, double seconds, BooleanSupplier condition) {
         long startMs = ProcessClock.ms();
+        boolean isLast = false; // a look that began in time may have waited for its answer until long after
         while (!condition.getAsBoolean()) {
-            if (ProcessClock.ms() - startMs > seconds * 1000) {
+            if (isLast) {
                 throw new AssertionError("not within " + seconds + " s: " + what);
             }
             LockSupport.parkNanos(PAUSE_NANOS);
+            isLast = ProcessClock.ms() - startMs > seconds * 1000;
         }
         return ProcessClock.ms() - startMs;
     }
