@@ -139,6 +139,11 @@ final class AutopilotCommands {
         return other;
     }
 
+    /** Whether somebody else has just started it while the base has ordered nothing. */
+    boolean isStartedByOthers() {
+        return motion.isStartedByOthers();
+    }
+
     /** Whether a vehicle says so as it is given what the base has ordered. */
     boolean causes(StatusText text) {
         return paths.causes(text);

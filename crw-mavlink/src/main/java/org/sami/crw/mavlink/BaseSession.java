@@ -269,7 +269,8 @@ final class BaseSession implements VehicleConnection.Receiver {
     }
 
     private static boolean isUsedUp(LinkMessage answer) {
-        return !(answer instanceof Nack nack) || nack.reason() != NackReason.STALE;
+        return !(answer instanceof Nack nack)
+                || (nack.reason() != NackReason.STALE && nack.reason() != NackReason.NOT_COMMANDER);
     }
 
     @Override

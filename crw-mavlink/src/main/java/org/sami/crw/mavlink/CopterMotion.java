@@ -129,6 +129,7 @@ final class CopterMotion extends VehicleMotion {
     }
 
     private void brake(VehiclePilot.Order order, Runnable next) {
+        order.expect(BRAKE);
         order.commandUntilAnswered(
                 () -> base.setMode(id, BRAKE), () -> order.await(BRAKES::isSo, "come into mode " + BRAKE, next));
     }
@@ -266,20 +267,11 @@ final class CopterMotion extends VehicleMotion {
     private void goOn(Climb ended) {
         climb = Optional.empty();
         VehiclePilot.Order order = pilot.change(
-                why -> why.filter(words -> !words.equals(VehiclePilot.VOID)).ifPresent(this::stays));
+                why -> why.filter(words -> !words.equals(VehiclePilot.VOID) && !words.equals(VehiclePilot.TAKEN))
+                        .ifPresent(this::stays));
         setsOffBy(order);
         Leg leg = ended.then().get();
-        Runnable next = () -> flyUnlessTaken(order, leg);
-        leg.item().ifPresentOrElse(item -> goTo(order, item, leg, next), next);
-    }
-
-    /** Whoever has changed its mode since it was up keeps it: a pilot, or its own failsafe. */
-    private void flyUnlessTaken(VehiclePilot.Order order, Leg leg) {
-        if (vehicle().mode().equals(GUIDED)) {
-            fly(order, leg);
-        } else {
-            order.failAsItIs("it is in mode " + vehicle().mode());
-        }
+        flyAlong(order, leg);
     }
 
     private void stays(String why) {

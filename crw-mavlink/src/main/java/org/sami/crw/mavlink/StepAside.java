@@ -128,10 +128,11 @@ final class StepAside {
         beganMs = nowMs;
         isLong = false;
         motion.stepAside(
-                why -> why.filter(words -> !words.equals(VehiclePilot.VOID)).ifPresent(words -> {
-                    tryFromMs = nowMs + RETRY_MS;
-                    alarm.accept(name + " cannot give way" + words() + ": " + words);
-                }));
+                why -> why.filter(words -> !words.equals(VehiclePilot.VOID) && !words.equals(VehiclePilot.TAKEN))
+                        .ifPresent(words -> {
+                            tryFromMs = nowMs + RETRY_MS;
+                            alarm.accept(name + " cannot give way" + words() + ": " + words);
+                        }));
     }
 
     private void goOn(VehicleTarget target) {

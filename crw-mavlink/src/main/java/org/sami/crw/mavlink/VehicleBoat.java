@@ -254,11 +254,11 @@ final class VehicleBoat implements BaseSession.Boat {
         if (performance.reported(now)) {
             reportSettings();
         }
-        boolean taken = orders.reported(now, atMs);
+        boolean isTheirs = session.filter(told -> !told.takenBy().isEmpty()).isPresent();
+        boolean taken = orders.reported(now, atMs) || (!isTheirs && orders.isStartedByOthers());
         if (another || placed) {
             reportSettings();
         }
-        boolean isTheirs = session.filter(told -> !told.takenBy().isEmpty()).isPresent();
         session.filter(told -> taken).ifPresent(told -> {
             String who = others.who(now, atMs);
             sayTaken(told, who);

@@ -166,10 +166,15 @@ class VehicleMotion {
     boolean reported(VehicleSnapshot vehicle, long atMs) {
         nowMs = atMs;
         boolean other = pilot.reported(vehicle, atMs);
-        if (other) {
+        if (other || pilot.isStartedByOthers()) {
             release();
         }
         return other;
+    }
+
+    /** Whether somebody else has just started it while nothing is ordered. */
+    boolean isStartedByOthers() {
+        return pilot.isStartedByOthers();
     }
 
     void tick(long atMs) {
@@ -213,6 +218,7 @@ class VehicleMotion {
         }
         hand = Optional.empty();
         VehiclePilot.Order order = begin(ended);
+        order.insist();
         stopping = Optional.of(order);
         stopBy(order);
     }

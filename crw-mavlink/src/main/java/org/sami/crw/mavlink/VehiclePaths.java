@@ -216,9 +216,12 @@ final class VehiclePaths {
 
     /** The refusal of a command for a reason in words; of one that a later command made void it says so. */
     static Nack refused(CommandMessage command, String why) {
-        return why.equals(VehiclePilot.VOID)
-                ? new Nack(command.commandId(), NackReason.STALE, why)
-                : new Nack(command.commandId(), NackReason.NOT_ABLE, why);
+        NackReason reason = switch (why) {
+            case VehiclePilot.VOID -> NackReason.STALE;
+            case VehiclePilot.TAKEN -> NackReason.NOT_COMMANDER; // it waits until the vehicle is taken back
+            default -> NackReason.NOT_ABLE;
+        };
+        return new Nack(command.commandId(), reason, why);
     }
 
     /** Whether it goes there by a mission; to a single place a boat goes in GUIDED. */

@@ -13,6 +13,7 @@ import org.sami.mavlink.command.CommandOutcome;
 import org.sami.mavlink.command.CommandVerdict;
 import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.vehicle.VehicleId;
+import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /**
@@ -23,6 +24,7 @@ final class VehiclePilot {
     private static final String STARTS = "INITIALIZING"; // the mode of ArduPilot's boats until they have started
     private static final long CLOCK_WITHIN_MS = 3_000;
     private static final long SEEN_WITHIN_MS = 4_000; // heartbeats, which tell mode and arming, come once a second
+    private static final long LATE_MS = SEEN_WITHIN_MS; // what an order that has failed asked for may still happen
 
     /**
      * A state of the vehicle that it was ordered into: its mode, and whether its motors may turn.
@@ -48,6 +50,9 @@ final class VehiclePilot {
     private boolean disarms; // by an order that failed: it may be off, or soon, whatever it reports
     private boolean disarmAccepted;
     private Optional<Ordered> ordered = Optional.empty(); // reported by the vehicle since
+    private Optional<Order> failed = Optional.empty(); // the last one that failed or was given up
+    private long failedMs;
+    private boolean isStarted; // by somebody else, while nothing is ordered
     private Optional<Long> startsMs =
             Optional.empty(); // since when it may have started again, before its clock says it
     private boolean isJudged; // its clock has told that it has not
@@ -62,6 +67,9 @@ final class VehiclePilot {
     /** Steps of one order, and who waits for its end. */
     final class Order {
         private final Set<String> modes = new HashSet<>(); // in which it was or was commanded to be by this order
+        private final Set<String> expected = new HashSet<>(); // modes into which nobody else need have put it
+        private boolean wasArmed; // as the order began, and no order of before turns its motors off
+        private boolean insists;
         private Consumer<Optional<String>> ended; // empty where all is done, or why it is not
         private Predicate<VehicleSnapshot> awaited = vehicle -> true;
         private Runnable then = () -> {};
@@ -80,6 +88,22 @@ final class VehiclePilot {
         /** Tells one more of its end. */
         void tellAlso(Consumer<Optional<String>> other) {
             ended = ended.andThen(other);
+        }
+
+        /** It is carried out whatever others do with the vehicle meanwhile: a stop. */
+        void insist() {
+            insists = true;
+        }
+
+        /** A mode into which this order may put it. */
+        void expect(String mode) {
+            expected.add(mode);
+        }
+
+        /** Whether somebody else has changed its mode, or turned a boat's motors off, since the order began. A copter does the latter by itself as it has landed. */
+        private boolean isTaken() {
+            boolean isOff = wasArmed && !now.armed() && now.kind() != VehicleKind.COPTER;
+            return !insists && (isOff || !expected.contains(now.mode()));
         }
 
         /** Whether a later order has come, or none holds any longer. */
@@ -241,7 +265,7 @@ final class VehiclePilot {
             if (isVoid()) {
                 return;
             }
-            running = Optional.empty();
+            giveUp();
             ordered = otherwise;
             ended.accept(Optional.of(why));
         }
@@ -279,6 +303,7 @@ final class VehiclePilot {
         /** Changes the mode and waits until the vehicle says that it is in it, with its motors as they should be. */
         void mode(String mode, boolean armed, Runnable next) {
             modes.add(mode);
+            expect(mode);
             if (new Ordered(mode, armed).isSo(now)) {
                 next.run();
             } else {
@@ -290,6 +315,7 @@ final class VehiclePilot {
         void modeAnew(String mode, boolean armed, Runnable next) {
             Ordered state = new Ordered(mode, armed);
             modes.add(mode);
+            expect(mode);
             command(base.setMode(id, mode), () -> await(state::isSo, "come into mode " + mode + arming(armed), next));
         }
     }
@@ -310,14 +336,28 @@ final class VehiclePilot {
 
     private Order begin(Order order) {
         Optional<Order> before = running;
+        Optional<Order> mayGoOn = before.or(this::late);
+        order.expect(now.mode());
+        mayGoOn.ifPresent(earlier -> order.expected.addAll(earlier.expected));
+        order.wasArmed = now.armed()
+                && !disarms
+                && mayGoOn.filter(earlier -> earlier.insists).isEmpty();
         running = Optional.of(order);
         ordered = Optional.empty();
         before.ifPresent(voided -> voided.ended.accept(Optional.of(VOID)));
         return order;
     }
 
+    /** The last order that failed, while what it asked for may still happen. */
+    private Optional<Order> late() {
+        return failed.filter(order -> nowMs - failedMs < LATE_MS);
+    }
+
     /** Why an order has ended that a later one made void. */
     static final String VOID = "a later command came";
+
+    /** Why an order has ended whose vehicle somebody else has put into another state than it asked for. */
+    static final String TAKEN = "somebody else has taken the vehicle";
 
     /** Whether an order is being carried out. */
     boolean isBusy() {
@@ -331,6 +371,10 @@ final class VehiclePilot {
 
     /** Ends the running order as void, without telling who waits for it; the ordered state stays. */
     void giveUp() {
+        if (running.isPresent()) {
+            failed = running;
+            failedMs = nowMs;
+        }
         running = Optional.empty();
     }
 
@@ -340,6 +384,7 @@ final class VehiclePilot {
         isJudged = false;
         running = Optional.empty();
         ordered = Optional.empty();
+        failed = Optional.empty();
     }
 
     VehicleSnapshot vehicle() {
@@ -351,8 +396,12 @@ final class VehiclePilot {
         return ordered.filter(Ordered::lands).isPresent() && !now.armed();
     }
 
-    /** This is how the vehicle reports itself. Whether somebody else has put it into another state than was ordered. */
+    /**
+     * This is how the vehicle reports itself. Whether somebody else has put it into another state than was ordered, or than the running order has asked for: that ends as
+     * {@link #TAKEN}, with nothing more sent.
+     */
     boolean reported(VehicleSnapshot vehicle, long atMs) {
+        VehicleSnapshot before = now;
         now = vehicle;
         nowMs = atMs;
         disarms &= vehicle.armed() || !disarmAccepted;
@@ -361,11 +410,31 @@ final class VehiclePilot {
         if (hasLanded()) { // whoever starts its motors again is somebody else
             ordered = ordered.map(state -> new Ordered(state.mode(), false));
         }
-        return isOther() && (vehicle.armed() || startsMs.isEmpty());
+        isStarted = isStart(before);
+        boolean taken = isOther() && (vehicle.armed() || startsMs.isEmpty());
+        if (taken) {
+            running.ifPresent(order -> order.failAsItIs(TAKEN));
+        }
+        return taken;
+    }
+
+    /** Whether somebody else has just armed it, or changed its mode while it is armed, though nothing is ordered. In HOLD a boat lies still and waits for orders. */
+    boolean isStartedByOthers() {
+        return isStarted;
+    }
+
+    private boolean isStart(VehicleSnapshot before) {
+        boolean isNews = now.armed() && !(before.armed() && before.mode().equals(now.mode()));
+        boolean isOurs = isBusy()
+                || ordered.isPresent()
+                || disarms
+                || late().filter(order -> order.expected.contains(now.mode())).isPresent();
+        return isNews && !isOurs && !now.mode().equals(VehicleMotion.HOLD);
     }
 
     private boolean isOther() {
-        return ordered.filter(state -> !state.isSo(now)).isPresent();
+        return ordered.filter(state -> !state.isSo(now)).isPresent()
+                || running.filter(Order::isTaken).isPresent();
     }
 
     /**

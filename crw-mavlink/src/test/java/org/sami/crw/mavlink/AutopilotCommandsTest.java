@@ -437,6 +437,78 @@ class AutopilotCommandsTest {
     }
 
     @Test
+    void vehicleThatAPilotTakesWhileItsMissionIsSentDoesNotSetOff() {
+        boat.faults().ignoresMissions(true);
+        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
+        StartWaypoints start = new StartWaypoints("start", "first", 0);
+        client.say(start);
+
+        boat.takenByPilot(MANUAL, true);
+
+        assertThat(client.answerTo(start))
+                .isInstanceOfSatisfying(
+                        Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.NOT_COMMANDER));
+        Await.until("it is noticed that it is taken", client::isObserver);
+        assertStaysAsMissionComes(MANUAL, true);
+        assertThat(boat.orderedModes()).doesNotContain(AUTO);
+    }
+
+    private void assertStaysAsMissionComes(int mode, boolean armed) {
+        int uploads = boat.mission().uploads();
+        boat.faults().ignoresMissions(false);
+        Await.until("it holds the mission", () -> boat.mission().uploads() > uploads);
+        long before = client.count(Telemetry.class);
+        Await.until("it has said where it is", () -> client.count(Telemetry.class) > before + 3);
+        assertThat(boat.mode()).isEqualTo(mode);
+        assertThat(boat.isArmed()).isEqualTo(armed);
+    }
+
+    @Test
+    void boatThatAPilotDisarmsWhileItsMissionIsSentIsNotArmedAgain() {
+        assertThat(client.ask(new HoldPosition("hold"))).isInstanceOf(Ack.class);
+        boat.faults().ignoresMissions(true);
+        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
+        client.say(new StartWaypoints("start", "first", 0));
+
+        boat.takenByPilot(LOITER, false);
+
+        Await.until("it is noticed that it is taken", client::isObserver);
+        assertStaysAsMissionComes(LOITER, false);
+    }
+
+    @Test
+    void vehicleThatSomebodyStartsBeforeAnythingIsOrderedIsTheirs() {
+        boat.takenByPilot(MANUAL, true);
+
+        Await.until("it is noticed that it is taken", client::isObserver);
+        assertThat(client.ask(upload("refused")))
+                .isInstanceOfSatisfying(
+                        Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.NOT_COMMANDER));
+        client.takeCommand();
+        drive();
+    }
+
+    @Test
+    void vehicleThatSomebodyArmsInHoldBeforeAnythingIsOrderedSetsOffWhenItIsOrderedTo() {
+        boat.takenByPilot(HOLD, true);
+        long before = client.count(Telemetry.class);
+        Await.until("it has said where it is", () -> client.count(Telemetry.class) > before + 3);
+
+        assertThat(client.isObserver()).isFalse();
+        drive();
+    }
+
+    @Test
+    void vehicleThatSomebodyStartsAfterAnOrderHasFailedIsTheirs() {
+        failsToSetOff();
+
+        boat.takenByPilot(MANUAL, true);
+
+        Await.until("it is noticed that it is taken", client::isObserver);
+        assertThat(boat.mode()).isEqualTo(MANUAL);
+    }
+
+    @Test
     void vehicleThatWasDisarmedOnItsWayIsArmedLyingStill() {
         drive();
         boat.takenByPilot(AUTO, false);

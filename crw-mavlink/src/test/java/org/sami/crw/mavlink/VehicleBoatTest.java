@@ -219,6 +219,20 @@ class VehicleBoatTest {
         assertThat(boat.mission().uploads()).isEqualTo(1);
     }
 
+    @Test
+    void missionOfAVehicleThatIsTakenAsItIsSentWaitsUntilItIsTakenBack() {
+        boat.faults().ignoresMissions(true);
+        submit(path(FIRST, SECOND, THIRD));
+        world.until("it is to set off", BOAT, proxy -> proxy.explain().text().contains("begin"));
+
+        boat.takenByPilot(MANUAL, true);
+
+        world.until("it is somebody else's", BOAT, proxy -> !proxy.isCommanding());
+        boat.faults().ignoresMissions(false);
+        world.tell(BOAT, proxy -> proxy.handOver().takeCommand());
+        completes("p3");
+    }
+
     private boolean hasCritical(String text) {
         return world.said.stream()
                 .anyMatch(alarm ->
