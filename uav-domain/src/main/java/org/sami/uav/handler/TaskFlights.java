@@ -130,6 +130,7 @@ final class TaskFlights implements Consumer<FleetEvent>, HostListener, LaterMove
                 && proxy.get().commands().current().stream()
                         .anyMatch(command -> command.mission() == next.activation.mission());
         return flies
+                || motion.comesHome(aircraft)
                 || motion.held(aircraft).contains(next.activation.mission())
                 || arrived.containsKey(aircraft)
                 || next.context.query(view -> isKept(aircraft, next.activation.mission(), view));

@@ -16,6 +16,7 @@ import org.sami.crw.sim.run.settings.InitialCharges;
 import org.sami.crw.sim.run.settings.RunPlan;
 import org.sami.crw.sim.run.settings.RunSettings;
 import org.sami.spn.json.DomainLibrary;
+import org.sami.spn.model.Project;
 
 /** Runs of the shipped plans on simulated copters. */
 final class UavRuns {
@@ -60,6 +61,11 @@ final class UavRuns {
         }
 
         InProcessRun prepared() {
+            return prepared(DOMAIN.combined());
+        }
+
+        /** Of a project of the test's own. */
+        InProcessRun prepared(Project project) {
             String text = "{\"format\": \"crw-answers\", \"version\": 1, \"rules\": [" + answers + "]}";
             FleetSettings fleet = new FleetSettings(copters, 4, AREA_M, 3)
                     .of(RobotKind.COPTER)
@@ -71,10 +77,8 @@ final class UavRuns {
                     .answers(text)
                     .also(also)
                     .build();
-            RunPlan runPlan = new RunPlan(
-                    DOMAIN.vocabulary(),
-                    DOMAIN.combined(),
-                    DOMAIN.combined().plan(plan).orElseThrow());
+            RunPlan runPlan =
+                    new RunPlan(DOMAIN.vocabulary(), project, project.plan(plan).orElseThrow());
             AnswersFile file = AnswersFileReader.read(text, DOMAIN.vocabulary()).orThrow();
             return new InProcessRun(runPlan, settings, file, RunJournal.none());
         }

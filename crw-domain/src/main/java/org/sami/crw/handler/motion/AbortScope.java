@@ -42,7 +42,9 @@ public enum AbortScope {
             return missions;
         }
         Optional<ProxyCommands> commands = proxy.map(BoatProxy::commands);
-        commands.map(ProxyCommands::waiting).orElse(List.of()).forEach(command -> missions.add(command.mission()));
+        commands.map(ProxyCommands::waiting).orElse(List.of()).stream()
+                .filter(command -> !ChargeReturns.isOne(command)) // no mission's
+                .forEach(command -> missions.add(command.mission()));
         missions.addAll(aborts.waiting(boat));
         if (this == FUTURE) {
             missions.removeAll(aborts.begun(boat));

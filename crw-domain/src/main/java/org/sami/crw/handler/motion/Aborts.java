@@ -37,6 +37,7 @@ public final class Aborts {
         Optional<Long> current = boats.find(boat)
                 .map(BoatProxy::commands)
                 .flatMap(ProxyCommands::current)
+                .filter(command -> !ChargeReturns.isOne(command)) // no mission's
                 .map(BoatCommand::mission);
         return current.map(Set::of)
                 .orElseGet(() -> later.stream()

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.sami.crw.fleet.FleetEvent;
-import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.BoatCommand;
@@ -93,25 +92,9 @@ final class FlightCharges {
         return new Flight(robot.boatId(), here, List.of(), SPEED_MPS, 0, robot.home(), command.water());
     }
 
-    /** Has a robot in the air come home and land, in place of a move; empty where its home is not known. */
-    Optional<Move> home(Activation activation, Move move) {
-        Optional<BoatProxy> robot = robots.find(move.addressee().boat());
-        Optional<GeoPoint> here = robot.flatMap(known -> known.status().pose()).map(BoatPose::position);
-        return robot.flatMap(BoatProxy::home)
-                .flatMap(home -> here.map(from -> Flight.wayHome(from, home)))
-                .map(way -> new Move(
-                        new Addressee(move.addressee().boat(), true, List.of()),
-                        new FollowPath(
-                                move.command().commandId() + "-home",
-                                activation.mission(),
-                                activation.id(),
-                                way,
-                                OptionalDouble.of(Flight.HOME_MPS),
-                                0,
-                                activation.priority(),
-                                false),
-                        Optional.empty(),
-                        Reply.NONE));
+    /** Whether the robot that a move sends can come home: it is known where it is, and where that is. */
+    boolean canComeHome(Move move) {
+        return ChargeReturns.isWayKnown(robots, move.addressee().boat());
     }
 
     private static Optional<Flight> flight(Activation activation, BoatCommand command, BoatProxy robot) {

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.ActivationMessages;
@@ -51,6 +52,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     private final MovesAwaitingPosition awaitingPosition;
     private final UnaskedMoves unasked;
     private final HeldMoves held;
+    private final ChargeReturns chargeReturns;
 
     public MotionCommands(ProxyRegistry boats, MessageSink messages, WayQuestions questions, ClearWays clearWays) {
         this.clearWays = clearWays;
@@ -61,6 +63,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         awaitingPosition = new MovesAwaitingPosition(boats);
         unasked = new UnaskedMoves(clearWays, questions, clearWays.errors());
         held = new HeldMoves(questions, awaitingPosition);
+        chargeReturns = new ChargeReturns(boats, clearWays, messages);
     }
 
     /** Whether a command failed because another one took its place, by the reason that the plan received: the boat might have done it. */
@@ -163,6 +166,9 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         if (from.isEmpty()) {
             return Optional.of(move.addressee().boat() + " has not said where it is");
         }
+        if (comesHome(move.addressee().boat())) {
+            return Optional.of(move.addressee().boat() + " comes home, as its charge lasts for that alone");
+        }
         UnaskedMoves.Judged judged = unasked.judge(activation, context, move, from.get());
         if (judged.refusal().isEmpty()) {
             replaceHeld(activation, move);
@@ -176,12 +182,14 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         List<Move> clear = questions.hold(activation, context, limited, new MoveSender() {
             @Override
             public void send(Activation asked, HandlerContext answerTo, List<Move> allowed) {
+                allowed.forEach(move -> chargeReturns.end(move.addressee().boat()));
                 sendNow(asked, answerTo, allowed);
             }
 
             @Override
-            public void sendHome(Activation asked, HandlerContext answerTo, List<Move> home) {
-                sendNow(asked, answerTo, clearWays.limit(asked, answerTo, home));
+            public void sendHome(Activation asked, HandlerContext answerTo, String robot) {
+                replaceOlder(asked, robot);
+                chargeReturns.begin(asked, answerTo, robot);
             }
 
             @Override
@@ -228,6 +236,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                     settled.addAll(move.remember(CommandMemory.SENT, activation, context));
                 }
                 sent.put(move.command().commandId(), one);
+                chargeReturns.giveWay(boat.get().boatId());
                 boat.get().commands().submit(SpeedChoice.of(activation, move.command(), boat.get()));
             }
         }
@@ -339,8 +348,25 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                 });
     }
 
+    /** What a robot has of the mission is replaced by the command home, as by a newer command of the mission. */
+    private void replaceOlder(Activation activation, String robot) {
+        boats.find(robot)
+                .map(BoatProxy::commands)
+                .ifPresent(commands -> Stream.concat(commands.current().stream(), commands.waiting().stream())
+                        .filter(command -> command.mission() == activation.mission() && !isCritical(command))
+                        .toList()
+                        .forEach(command -> {
+                            commands.withdraw(command.commandId());
+                            onWithdrawn(command, Withdrawal.SUPERSEDED);
+                        }));
+    }
+
     private static boolean isCritical(Move move) {
-        return move.command().priority() == Priority.CRITICAL;
+        return isCritical(move.command());
+    }
+
+    private static boolean isCritical(BoatCommand command) {
+        return command.priority() == Priority.CRITICAL;
     }
 
     /** An activation will ask nothing any more. */
@@ -399,6 +425,11 @@ public final class MotionCommands implements Consumer<FleetEvent> {
         return held.missions(boat);
     }
 
+    /** Whether the base itself brings a robot home, as its charge lasts for that alone, and it is not down yet. */
+    public boolean comesHome(String robot) {
+        return chargeReturns.has(robot);
+    }
+
     /** Takes a mission's moves of a boat that are kept back; each is answered as failed. */
     void abortHeld(long mission, String boat, String reason) {
         held.take(one -> one.mission() == mission && one.boat().equals(boat))
@@ -418,6 +449,7 @@ public final class MotionCommands implements Consumer<FleetEvent> {
 
     @Override
     public void accept(FleetEvent event) {
+        chargeReturns.accept(event); // before it is sent home anew
         questions.accept(event);
         awaitingPosition.released(event).forEach(this::checkAlone);
         if (event instanceof FleetEvent.Progressed progressed) {

@@ -6,11 +6,11 @@ import org.sami.spn.protocol.Activation;
 
 /** What becomes of moves that were asked about. */
 interface MoveSender {
-    /** The operator wants them, or there is nothing to ask. */
+    /** The operator wants them, and knows what is wrong. */
     void send(Activation activation, HandlerContext context, List<Move> moves);
 
-    /** They go without a question, clear of what the plan avoids: robots come home. */
-    void sendHome(Activation activation, HandlerContext context, List<Move> moves);
+    /** A robot in the air comes home and lands, without a question. */
+    void sendHome(Activation activation, HandlerContext context, String robot);
 
     /** The operator does not want it. */
     void refuse(Activation activation, HandlerContext context, Move move, String reason);

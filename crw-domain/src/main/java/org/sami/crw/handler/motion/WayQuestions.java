@@ -253,14 +253,9 @@ public final class WayQuestions implements HostListener {
             return;
         }
         flying.remember(false);
-        List<Move> home = flying.moves()
-                .flatMap(one -> flights.home(flying.activation(), one.move()).stream())
-                .toList();
-        flying.taking(move -> flights.home(flying.activation(), move).isEmpty()).refuse(UNANSWERED_FAR);
+        flying.taking(move -> !flights.canComeHome(move)).refuse(UNANSWERED_FAR);
         flying.refuse(UNANSWERED);
-        if (!home.isEmpty()) {
-            flying.sender().sendHome(flying.activation(), flying.context(), home);
-        }
+        flying.doubted().forEach(one -> flying.sender().sendHome(flying.activation(), flying.context(), one.boat()));
     }
 
     private void askNext(String key) {

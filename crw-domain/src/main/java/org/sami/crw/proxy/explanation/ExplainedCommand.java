@@ -48,10 +48,19 @@ public record ExplainedCommand(String does, String infinitive, String doing, Str
             "holding its place while the engine does not work",
             "has held its place while the engine did not work");
 
+    /** How the id of a command begins that brings an aircraft home, as its charge lasts for that alone. */
+    public static final String FOR_CHARGE = "charge-home-";
+
+    private static final ExplainedCommand HOME_FOR_CHARGE = new ExplainedCommand(
+            "comes home, as its charge lasts for that alone",
+            "come home, as its charge lasts for that alone",
+            "coming home, as its charge lasts for that alone",
+            "has come home, as its charge lasted for that alone");
+
     /** That of a command. A command that an operator gives by hand belongs to no mission and has the same name everywhere. */
     public static ExplainedCommand of(BoatCommand command, MissionTitles titles) {
         if (command.mission() == Ids.NONE && command instanceof FollowPath) {
-            return SENT;
+            return command.commandId().startsWith(FOR_CHARGE) ? HOME_FOR_CHARGE : SENT;
         } else if (command.mission() == Ids.NONE && command instanceof KeepStation) {
             return command.commandId().startsWith(AT_FAULT) ? HELD_AT_FAULT : HELD;
         }

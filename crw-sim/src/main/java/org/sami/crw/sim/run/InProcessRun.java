@@ -165,8 +165,8 @@ public final class InProcessRun {
         return session.models();
     }
 
-    /** Continues the world without the mission: shows what boats do once they have no commands. */
-    void coast(long millis) {
+    /** Continues the world without the mission, for so many milliseconds: shows what boats do afterwards. */
+    public void coast(long millis) {
         long until = clock.nowMs() + millis;
         for (long next = clock.nowMs(); next <= until; next = clock.nextTimeMs().orElse(Long.MAX_VALUE)) {
             executor.drain();

@@ -1,0 +1,156 @@
+package org.sami.crw.handler.motion;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.sami.crw.fleet.FleetEvent;
+import org.sami.crw.handler.activation.ActivationMessages;
+import org.sami.crw.handler.activation.Addressee;
+import org.sami.crw.message.MessageSink;
+import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyRegistry;
+import org.sami.crw.proxy.command.BoatCommand;
+import org.sami.crw.proxy.command.FollowPath;
+import org.sami.crw.proxy.explanation.ExplainedCommand;
+import org.sami.crw.service.reach.Flight;
+import org.sami.spn.host.HandlerContext;
+import org.sami.spn.protocol.Activation;
+import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Priority;
+import org.sami.spn.value.GeoPoint;
+
+/**
+ * Aircraft that the base itself brings home, as their charges last for that alone. The command is no mission's, so that the end of a plan does not take it back. What a
+ * plan asks of such an aircraft meanwhile takes its place, as it was checked; once the aircraft has nothing to do and is still in the air, it comes home again. That
+ * ends on the ground, and where a person decides: by hand, with a stop, or with a yes to a flight. For the fleet's thread.
+ */
+final class ChargeReturns {
+    private static final double GROUND_M = 0.5;
+
+    private final ProxyRegistry robots;
+    private final ClearWays clearWays;
+    private final MessageSink messages;
+    private final Map<String, Return> all = new HashMap<>(); // by aircraft
+    private long made;
+
+    ChargeReturns(ProxyRegistry robots, ClearWays clearWays, MessageSink messages) {
+        this.robots = robots;
+        this.clearWays = clearWays;
+        this.messages = messages;
+    }
+
+    /**
+     * An aircraft that comes home.
+     *
+     * @param command with which it does; empty while something else has taken its place
+     */
+    private record Return(Activation activation, HandlerContext context, Optional<String> command) {
+        boolean is(BoatCommand other) {
+            return command.filter(other.commandId()::equals).isPresent();
+        }
+    }
+
+    /** Whether a command brings an aircraft home in this way. */
+    static boolean isOne(BoatCommand command) {
+        return command.commandId().startsWith(ExplainedCommand.FOR_CHARGE);
+    }
+
+    /** Whether it is known where an aircraft is and where its home is. */
+    static boolean isWayKnown(ProxyRegistry robots, String aircraft) {
+        return robots.find(aircraft).flatMap(ChargeReturns::way).isPresent();
+    }
+
+    private static Optional<List<GeoPoint>> way(BoatProxy robot) {
+        return robot.home().flatMap(home -> robot.status().pose().map(pose -> Flight.wayHome(pose.position(), home)));
+    }
+
+    /** Has an aircraft in the air come home and land, where it does not do so yet; nothing becomes of one whose home is not known. */
+    void begin(Activation activation, HandlerContext context, String aircraft) {
+        Return before = all.get(aircraft);
+        if (before == null || before.command.isEmpty()) {
+            robots.find(aircraft).ifPresent(robot -> send(activation, context, robot));
+        }
+    }
+
+    private void send(Activation activation, HandlerContext context, BoatProxy robot) {
+        String aircraft = robot.boatId();
+        way(robot).ifPresent(way -> {
+            String id = ExplainedCommand.FOR_CHARGE + context.nowMillis() + "-" + ++made + "-" + aircraft;
+            FollowPath path = new FollowPath(
+                    id, Ids.NONE, Ids.NONE, way, OptionalDouble.of(Flight.HOME_MPS), 0, activation.priority(), false);
+            Move move = new Move(new Addressee(aircraft, true, List.of()), path, Optional.empty(), Reply.NONE);
+            all.put(aircraft, new Return(activation, context, Optional.of(id)));
+            clearWays
+                    .limit(activation, context, List.of(move))
+                    .forEach(one -> robot.commands().submit(one.command()));
+        });
+    }
+
+    /** Whether an aircraft comes home, or does so again once it has nothing else to do. */
+    boolean has(String aircraft) {
+        return all.containsKey(aircraft);
+    }
+
+    /** A person knows that the charge of an aircraft falls short, and sends it. */
+    void end(String aircraft) {
+        giveWay(aircraft);
+        all.remove(aircraft);
+    }
+
+    /** A plan sends an aircraft, and the way was checked. */
+    void giveWay(String aircraft) {
+        Return one = all.get(aircraft);
+        if (one != null && one.command.isPresent()) {
+            all.put(aircraft, new Return(one.activation, one.context, Optional.empty()));
+            robots.find(aircraft).ifPresent(robot -> robot.commands().withdraw(one.command.get()));
+        }
+    }
+
+    /** Takes in what happened to an aircraft. */
+    void accept(FleetEvent event) {
+        if (event instanceof FleetEvent.StatusReported reported) {
+            robots.find(reported.status().boatId()).ifPresent(this::follow);
+        } else if (event instanceof FleetEvent.CommandCompleted done && isOf(done.boat(), done.command())) {
+            all.remove(done.boat());
+        } else if (event instanceof FleetEvent.CommandFailed failed && isOf(failed.boat(), failed.command())) {
+            tell(all.remove(failed.boat()), failed.boat(), failed.reason());
+        } else if (event instanceof FleetEvent.CommandWithdrawn taken && isOf(taken.boat(), taken.command())) {
+            all.computeIfPresent(
+                    taken.boat(), (name, one) -> new Return(one.activation, one.context, Optional.empty()));
+        }
+    }
+
+    private boolean isOf(String aircraft, BoatCommand command) {
+        Return one = all.get(aircraft);
+        return one != null && one.is(command);
+    }
+
+    private void tell(Return one, String aircraft, String reason) {
+        String words = aircraft + " could not come home, for which alone its charge lasted: " + reason;
+        messages.tell(ActivationMessages.of(one.activation, one.context, Priority.HIGH, words, List.of(aircraft)));
+    }
+
+    private void follow(BoatProxy robot) {
+        Return one = all.get(robot.boatId());
+        if (one == null) {
+            return;
+        }
+        boolean isDown = robot.status()
+                .pose()
+                .filter(pose -> pose.position().altM() < GROUND_M)
+                .isPresent();
+        boolean isTaken = one.command
+                .filter(id -> robot.commands().visitedCount(id).isEmpty()) // only a person takes it without a word
+                .isPresent();
+        Optional<BoatCommand> current = robot.commands().current();
+        boolean isByHand = one.command.isEmpty()
+                && current.filter(other -> other.mission() == Ids.NONE).isPresent();
+        if (isDown || isTaken || isByHand) {
+            all.remove(robot.boatId());
+        } else if (one.command.isEmpty() && current.isEmpty()) {
+            send(one.activation, one.context, robot);
+        }
+    }
+}
