@@ -4,6 +4,8 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -32,8 +34,8 @@ import org.sami.spn.value.Value;
 
 /**
  * Compute Allocations: divides the tasks so that the longest way is short, or gives each to the nearest aircraft. The one with the shorter longest way is first.
- * Aircraft whose batteries are low get none; where all are low, the tasks wait until one is charged. A task at which all aircraft have failed too often ({@link TaskFailures})
- * waits for another battery, unless the plan leaves it out ({@link ImpossibleTasks}). For the fleet's thread; it passes the engine's steps on to it.
+ * Aircraft whose batteries are low get none; where all are low, the tasks wait until one is charged, and so does one at which the others have failed too often. A task at which all aircraft have failed too often ({@link TaskFailures})
+ * waits for another battery, unless the plan leaves it out ({@link ImpossibleTasks}). The operator is told of each that waits. For the fleet's thread; it passes the engine's steps on to it.
  */
 final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, HostListener {
     private final Flights flights;
@@ -41,12 +43,14 @@ final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, Hos
     private final Executor fleet;
     private final TaskFailures failures;
     private final Map<Long, Waiting> waiting = new LinkedHashMap<>(); // by activation
+    private final WaitingTasks told;
 
     TaskDivision(Flights flights, MessageSink messages, Executor fleet, TaskFailures failures) {
         this.failures = failures;
         this.flights = flights;
         this.messages = messages;
         this.fleet = fleet;
+        told = new WaitingTasks(messages, failures);
     }
 
     /** Tasks for which no aircraft is charged, or that none can do. */
@@ -142,6 +146,8 @@ final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, Hos
         for (Effect effect : effects) {
             if (effect instanceof Effect.ActivationEnded ended) {
                 fleet.execute(() -> waiting.remove(ended.activation()));
+            } else if (effect instanceof Effect.MissionEnded ended) {
+                fleet.execute(() -> told.forget(ended.mission()));
             }
         }
     }
@@ -161,11 +167,28 @@ final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, Hos
         boolean isNothingToDo = tasks.tasks.isEmpty() && !from.isEmpty(); // then the plan still waits for the answer
         boolean isAnswered = isNothingToDo || !candidates.isEmpty();
         waiting.remove(tasks.activation.id());
+        told.allocated(candidates.keySet());
+        if (!from.isEmpty()) { // else all are low
+            tellOfWaiting(tasks, later, from.keySet());
+        }
         if (!later.isEmpty() || !isAnswered) {
             waiting.put(tasks.activation.id(), new Waiting(tasks.activation, tasks.context, later));
         }
         if (isAnswered) {
             divide(tasks.activation, tasks.context, from, candidates);
+        }
+    }
+
+    private void tellOfWaiting(Waiting tasks, List<TaskId> later, Set<String> charged) {
+        for (TaskId task : later) {
+            placeOf(tasks.context, task)
+                    .ifPresent(place -> told.hold(
+                            tasks.activation,
+                            tasks.context,
+                            task,
+                            place,
+                            placed(tasks.context).keySet(),
+                            charged));
         }
     }
 
@@ -221,10 +244,14 @@ final class TaskDivision implements ActivationHandler, Consumer<FleetEvent>, Hos
     }
 
     private static GeoPoint location(HandlerContext context, TaskId task) {
+        return placeOf(context, task)
+                .orElseThrow(() -> new IllegalArgumentException("the task " + task.name() + " has no location"));
+    }
+
+    private static Optional<GeoPoint> placeOf(HandlerContext context, TaskId task) {
         return context.query(view -> view.task(task))
                 .map(values -> values.get("location"))
                 .filter(GeoPoint.class::isInstance)
-                .map(GeoPoint.class::cast)
-                .orElseThrow(() -> new IllegalArgumentException("the task " + task.name() + " has no location"));
+                .map(GeoPoint.class::cast);
     }
 }

@@ -58,6 +58,11 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
                 : aircraft.stream().filter(one -> failures(task, one) == least).toList();
     }
 
+    /** Whether an aircraft is not to try a task any longer. */
+    boolean isOut(TaskId task, String aircraft) {
+        return failures(task, aircraft) >= MOST;
+    }
+
     private int failures(TaskId task, String aircraft) {
         return failures.getOrDefault(task, Map.of()).getOrDefault(aircraft, 0);
     }

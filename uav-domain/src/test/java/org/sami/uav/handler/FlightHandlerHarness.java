@@ -3,6 +3,7 @@ package org.sami.uav.handler;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -63,6 +64,7 @@ final class FlightHandlerHarness implements HandlerContext {
     final Map<TaskId, Map<String, Value>> tasks = new HashMap<>();
     final Map<String, Value> memory = new HashMap<>(); // of the mission
     final Map<TaskId, String> allocation = new HashMap<>();
+    final Set<String> dropped = new HashSet<>(); // by the operator
     final List<Input.WithdrawQuestion> withdrawn = new ArrayList<>();
     private final List<Consumer<FleetEvent>> listeners = new ArrayList<>();
     private final List<Token> standing = new ArrayList<>();
@@ -287,7 +289,10 @@ final class FlightHandlerHarness implements HandlerContext {
                         case "mission" ->
                             Optional.of(mission()).filter(one -> !isOver && arguments[0].equals(one.id()));
                         case "awaits" -> true;
-                        case "proxies" -> fleet.proxies().boatIds();
+                        case "proxies" ->
+                            fleet.proxies().boatIds().stream()
+                                    .filter(one -> !dropped.contains(one))
+                                    .toList();
                         case "memory" -> Optional.ofNullable(memory.get(arguments[1]));
                         case "task" -> Optional.ofNullable(tasks.get(arguments[0]));
                         case "planOf" -> plan;

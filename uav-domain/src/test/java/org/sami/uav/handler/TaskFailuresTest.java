@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import org.junit.jupiter.api.BeforeEach;
@@ -132,6 +133,63 @@ class TaskFailuresTest {
 
         charge("copter2", 100);
         assertThat(allocatedTo()).isEqualTo(new ProxyValue("copter2"));
+    }
+
+    @Test
+    void operatorIsToldOnceThatATaskWaitsForALowOneAsTheChargedOnesHaveFailed() {
+        charge("copter2", 20);
+        fail("copter1", 2);
+        divide();
+        harness.pass(60);
+        assertThat(impossible).isEmpty();
+
+        GeoPoint there = at("copter1");
+        assertThat(harness.messages)
+                .containsExactly(String.format(
+                        Locale.ROOT,
+                        "Search 1 at %.5f,%.5f waits: copter1 failed at it twice, and the battery of copter2 is low. It is"
+                                + " allocated once copter2 is charged, or copter1 has another battery",
+                        there.latDeg(),
+                        there.lonDeg()));
+    }
+
+    @Test
+    void operatorIsToldAgainWhereTheTaskWaitsAgain() {
+        charge("copter2", 20);
+        fail("copter1", 2);
+        divide();
+        charge("copter2", 100);
+        fail("copter2", 1);
+        charge("copter2", 20);
+        divide();
+
+        assertThat(harness.messages).hasSize(2);
+    }
+
+    @Test
+    void operatorIsToldWhereTheLowOneForWhichATaskWaitsIsDropped() {
+        charge("copter2", 20);
+        fail("copter1", 2);
+        divide();
+        harness.dropped.add("copter2");
+        harness.pass(10);
+
+        assertThat(harness.messages)
+                .hasSize(2)
+                .last()
+                .asString()
+                .endsWith("copter1 failed at it twice, and there is no other. It is allocated once copter1 has another"
+                        + " battery");
+    }
+
+    @Test
+    void nobodyIsToldOfATaskThatAChargedOneMayTry() {
+        charge("copter2", 20);
+        fail("copter1", 1);
+        divide();
+
+        assertThat(harness.messages).isEmpty();
+        assertThat(allocatedTo()).isEqualTo(new ProxyValue("copter1"));
     }
 
     @Test
