@@ -24,6 +24,7 @@ import org.sami.crw.handler.boat.SentLists;
 import org.sami.crw.handler.boat.SettingRequests;
 import org.sami.crw.handler.boat.TakeOverNews;
 import org.sami.crw.handler.boat.UnknownBoats;
+import org.sami.crw.handler.motion.AircraftMemory;
 import org.sami.crw.handler.motion.BoatErrors;
 import org.sami.crw.handler.motion.ClearWays;
 import org.sami.crw.handler.motion.ExecutePathHandler;
@@ -93,11 +94,14 @@ public final class CrwDomain implements AutoCloseable {
         BatterySubscriptions batteries = new BatterySubscriptions(boats, fleet);
         BoatQuestions questions = new BoatQuestions(host, boats, fleet);
         ExploredAreas explored = new ExploredAreas(messages, computations, errors, fleet);
+        AircraftMemory aircraft = new AircraftMemory(host, boats, motion.aircraftParts());
         List.<Consumer<FleetEvent>>of(
+                        aircraft::load,
                         new FlightUseMemory(host, boats), // these first: others may give the boat commands
                         new BoatBlocks(host, boats),
                         explored,
                         motion,
+                        aircraft::save,
                         settings,
                         questions,
                         batteries,

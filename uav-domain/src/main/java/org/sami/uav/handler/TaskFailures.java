@@ -3,7 +3,9 @@ package org.sami.uav.handler;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.boat.link.BatteryDefaults;
@@ -20,7 +22,7 @@ import org.sami.spn.value.TextValue;
 
 /**
  * How often aircraft failed at tasks that they had, other commands that took them not counted: a task is given to one that failed less often, and to none that failed {@link #MOST} times. Another battery
- * begins anew, and so does a restart of the base. For the fleet's thread; it passes the engine's steps on to it.
+ * begins anew; a restart of the base does not. For the fleet's thread; it passes the engine's steps on to it.
  */
 final class TaskFailures implements Consumer<FleetEvent>, HostListener {
     /** So often an aircraft is sent to one task: what was in its way may be gone the second time. */
@@ -28,15 +30,18 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
 
     private final Executor fleet;
     private final Impossible impossible;
-    private final Map<TaskId, Map<String, Integer>> failures = new HashMap<>(); // by task and aircraft
+    private final Memory memory;
+    private final Map<TaskId, Map<String, Failed>> failures = new HashMap<>(); // by task and aircraft
     private final Map<String, Double> charges = new HashMap<>(); // by aircraft, in percent
 
     /**
-     * No failures yet.
+     * Those that the missions remember.
      *
      * @param impossible learns of each task that no aircraft is to try any longer
+     * @param memory keeps the failures over a restart of the base
      */
-    TaskFailures(Executor fleet, Impossible impossible) {
+    TaskFailures(Executor fleet, Impossible impossible, Memory memory) {
+        this.memory = memory;
         this.fleet = fleet;
         this.impossible = impossible;
     }
@@ -48,6 +53,23 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
 
         /** All of them have failed. */
         void became(TaskId task);
+    }
+
+    /**
+     * How often an aircraft failed at a task.
+     *
+     * @param times 1 or more
+     * @param percent its charge when it failed last, as far as it had said
+     */
+    record Failed(int times, OptionalDouble percent) {}
+
+    /** Where failures are kept over a restart of the base. */
+    interface Memory {
+        /** Those at a task, by aircraft. */
+        Map<String, Failed> of(TaskId task);
+
+        /** These are all at a task, by aircraft. */
+        void keep(TaskId task, Map<String, Failed> failures);
     }
 
     /** Those of some aircraft that may try a task: that failed at it least often, and not too often; none where all have. */
@@ -64,7 +86,26 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
     }
 
     private int failures(TaskId task, String aircraft) {
-        return failures.getOrDefault(task, Map.of()).getOrDefault(aircraft, 0);
+        return Optional.ofNullable(at(task).get(aircraft)).map(Failed::times).orElse(0);
+    }
+
+    /** Without those whose aircraft has had another battery since. */
+    private Map<String, Failed> at(TaskId task) {
+        return failures.computeIfAbsent(task, unused -> {
+            Map<String, Failed> found = new HashMap<>(memory.of(task));
+            found.forEach((aircraft, failed) -> failed.percent()
+                    .ifPresent(percent -> charges.putIfAbsent(aircraft, percent))); // until it says its own
+            found.entrySet()
+                    .removeIf(one -> one.getValue().percent().isPresent()
+                            && isRecharged(
+                                    one.getValue().percent().getAsDouble(),
+                                    Objects.requireNonNull(charges.get(one.getKey()))));
+            return found;
+        });
+    }
+
+    private static boolean isRecharged(double before, double percent) {
+        return percent >= before + BatteryDefaults.RECHARGED_PERCENT;
     }
 
     @Override
@@ -73,11 +114,19 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
             String aircraft = reported.status().boatId();
             reported.status().battery().map(BatteryState::percent).ifPresent(percent -> {
                 Double before = charges.put(aircraft, percent);
-                if (before != null && percent >= before + BatteryDefaults.RECHARGED_PERCENT) {
-                    failures.values().forEach(byAircraft -> byAircraft.remove(aircraft));
+                if (before != null && isRecharged(before, percent)) {
+                    beginAnew(aircraft);
                 }
             });
         }
+    }
+
+    private void beginAnew(String aircraft) {
+        failures.forEach((task, byAircraft) -> {
+            if (byAircraft.remove(aircraft) != null) {
+                memory.keep(task, byAircraft);
+            }
+        });
     }
 
     @Override
@@ -103,7 +152,10 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
     }
 
     private void failed(TaskId task, String aircraft) {
-        failures.computeIfAbsent(task, unused -> new HashMap<>()).merge(aircraft, 1, Integer::sum);
+        Double charge = charges.get(aircraft);
+        OptionalDouble percent = charge == null ? OptionalDouble.empty() : OptionalDouble.of(charge);
+        at(task).put(aircraft, new Failed(failures(task, aircraft) + 1, percent));
+        memory.keep(task, at(task));
         List<String> all = impossible.aircraft();
         if (!all.isEmpty() && candidates(task, all).isEmpty()) {
             impossible.became(task);

@@ -90,8 +90,10 @@ public final class UavHandlers implements HandlerModule {
     }
 
     private static void addPlanning(HandlerParts parts, Flights flights) {
-        TaskFailures failures =
-                new TaskFailures(parts.fleet(), new ImpossibleTasks(parts.host(), parts.robots(), parts.messages()));
+        TaskFailures failures = new TaskFailures(
+                parts.fleet(),
+                new ImpossibleTasks(parts.host(), parts.robots(), parts.messages()),
+                new TaskFailureMemory(parts.host()));
         parts.listen((Consumer<FleetEvent>) failures);
         parts.listen((HostListener) failures);
         TaskDivision division = new TaskDivision(flights, parts.messages(), parts.fleet(), failures);

@@ -274,6 +274,36 @@ class FlightChargesTest {
                 .contains("nobody has answered in time, and it comes home while its charge lasts: copter1 needs");
     }
 
+    /** The base ended before its plan had heard of it. */
+    @Test
+    void baseThatGoesOnSaysThatNobodyAnsweredAndNotThatTheOperatorDoesNotWantIt() {
+        askInTheAir();
+        harness.answerLate();
+        harness.memory.keySet().removeIf(key -> key.startsWith("command/"));
+        harness.messages.clear();
+        harness.restart();
+        harness.activateAgain(new FlyToHandler(harness.flights, tasks));
+        harness.pass(2);
+
+        assertThat(harness.messages)
+                .singleElement()
+                .asString()
+                .endsWith("asked: nobody answered in time whether it is sent");
+        assertThat(asked()).hasSize(1);
+    }
+
+    @Test
+    void flightAboutWhichNobodyAnsweredIsAskedAboutAnewWhereTheOperatorHasItSentAgain() {
+        askInTheAir();
+        harness.answerLate();
+        harness.restart();
+        harness.isOrderedAgain = true;
+        harness.activateAgain(new FlyToHandler(harness.flights, tasks));
+        harness.pass(2);
+
+        assertThat(asked()).hasSize(2);
+    }
+
     @Test
     void copterWhoseChargeFallsFasterThanWasThoughtComesHomeBeforeItsQuestionEnds() {
         askInTheAir();

@@ -80,6 +80,9 @@ final class FlightHandlerHarness implements HandlerContext {
     /** Whether activations are delivered again by a base that goes on. */
     boolean isRedelivered;
 
+    /** Whether the operator has them sent again. */
+    boolean isOrderedAgain;
+
     /** Whether activations stay open. */
     boolean areOpen;
 
@@ -314,6 +317,11 @@ final class FlightHandlerHarness implements HandlerContext {
     @Override
     public long nowMillis() {
         return clock.nowMs();
+    }
+
+    @Override
+    public boolean orderedAgain() {
+        return isOrderedAgain;
     }
 
     @Override

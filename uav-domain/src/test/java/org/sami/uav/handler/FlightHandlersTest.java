@@ -3,6 +3,7 @@ package org.sami.uav.handler;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -348,7 +349,7 @@ class FlightHandlersTest {
                 harness.flights,
                 message -> harness.messages.add(message.text()),
                 Runnable::run,
-                TaskFailuresTest.failures(List.of("copter1"), new ArrayList<>()));
+                TaskFailuresTest.failures(List.of("copter1"), new ArrayList<>(), new HashMap<>()));
     }
 
     private static List<Value> allocatedTo(FlightHandlerHarness harness) {

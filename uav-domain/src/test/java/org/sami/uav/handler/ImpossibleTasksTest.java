@@ -46,7 +46,8 @@ class ImpossibleTasksTest {
                 .build();
         failures = new TaskFailures(
                 Runnable::run,
-                new ImpossibleTasks(host, harness.fleet.proxies(), message -> messages.add(message.text())));
+                new ImpossibleTasks(host, harness.fleet.proxies(), message -> messages.add(message.text())),
+                new TaskFailureMemory(host));
         harness.pass(5);
     }
 

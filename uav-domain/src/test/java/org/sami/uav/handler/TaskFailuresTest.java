@@ -3,6 +3,7 @@ package org.sami.uav.handler;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -31,23 +32,42 @@ class TaskFailuresTest {
 
     private final FlightHandlerHarness harness = new FlightHandlerHarness(2);
     private final List<TaskId> impossible = new ArrayList<>();
-    private final TaskFailures failures = failures(List.of("copter1", "copter2"), impossible);
+    private final Map<TaskId, Map<String, TaskFailures.Failed>> kept = new HashMap<>();
+    private final TaskFailures failures = failures(List.of("copter1", "copter2"));
     private final TaskDivision division =
             new TaskDivision(harness.flights, message -> harness.messages.add(message.text()), Runnable::run, failures);
 
-    /** Of some aircraft; tasks that none can do are listed. */
-    static TaskFailures failures(List<String> aircraft, List<TaskId> impossible) {
-        return new TaskFailures(Runnable::run, new TaskFailures.Impossible() {
-            @Override
-            public List<String> aircraft() {
-                return aircraft;
-            }
+    private TaskFailures failures(List<String> aircraft) {
+        return failures(aircraft, impossible, kept);
+    }
 
-            @Override
-            public void became(TaskId task) {
-                impossible.add(task);
-            }
-        });
+    /** Of some aircraft; tasks that none can do are listed, and failures kept. */
+    static TaskFailures failures(
+            List<String> aircraft, List<TaskId> impossible, Map<TaskId, Map<String, TaskFailures.Failed>> kept) {
+        return new TaskFailures(
+                Runnable::run,
+                new TaskFailures.Impossible() {
+                    @Override
+                    public List<String> aircraft() {
+                        return aircraft;
+                    }
+
+                    @Override
+                    public void became(TaskId task) {
+                        impossible.add(task);
+                    }
+                },
+                new TaskFailures.Memory() {
+                    @Override
+                    public Map<String, TaskFailures.Failed> of(TaskId task) {
+                        return kept.getOrDefault(task, Map.of());
+                    }
+
+                    @Override
+                    public void keep(TaskId task, Map<String, TaskFailures.Failed> failed) {
+                        kept.put(task, Map.copyOf(failed));
+                    }
+                });
     }
 
     @BeforeEach
@@ -190,6 +210,21 @@ class TaskFailuresTest {
 
         assertThat(harness.messages).isEmpty();
         assertThat(allocatedTo()).isEqualTo(new ProxyValue("copter1"));
+    }
+
+    @Test
+    void batteryThatWasChangedBeforeTheNextBaseBegunCountsAsAnotherOne() {
+        charge("copter1", 60);
+        fail("copter1", 2);
+        TaskFailures next = failures(List.of("copter1"));
+        assertThat(next.candidates(TASK, List.of("copter1"))).isEmpty();
+
+        harness.listen(next);
+        charge("copter1", 100);
+        assertThat(next.candidates(TASK, List.of("copter1"))).containsExactly("copter1");
+
+        TaskFailures later = failures(List.of("copter1"));
+        assertThat(later.candidates(TASK, List.of("copter1"))).containsExactly("copter1");
     }
 
     @Test

@@ -5,28 +5,33 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.LongSupplier;
+import java.util.function.UnaryOperator;
 import org.sami.crw.fleet.FleetEvent;
-import org.sami.crw.handler.activation.ActivationMessages;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.message.MessageSink;
+import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.proxy.BoatProxy;
 import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.explanation.ExplainedCommand;
 import org.sami.crw.service.reach.Flight;
+import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Ids;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
+import org.sami.spn.value.IntegerValue;
+import org.sami.spn.value.ListValue;
 
 /**
  * Aircraft that the base itself brings home, as their charges last for that alone. The command is no mission's, so that the end of a plan does not take it back. What a
  * plan asks of such an aircraft meanwhile takes its place, as it was checked; once the aircraft has nothing to do and is still in the air, it comes home again. That
  * ends on the ground, and where a person decides: by hand, with a stop, or with a yes to a flight. For the fleet's thread.
  */
-final class ChargeReturns {
+final class ChargeReturns implements AircraftMemory.Part {
     private static final double GROUND_M = 0.5;
 
     private final ProxyRegistry robots;
@@ -44,9 +49,20 @@ final class ChargeReturns {
     /**
      * An aircraft that comes home.
      *
-     * @param command with which it does; empty while something else has taken its place
+     * @param mission whose flight was not sent
+     * @param limit has its way keep clear of what is to be avoided
+     * @param command with which it comes; empty while something else has taken its place
      */
-    private record Return(Activation activation, HandlerContext context, Optional<String> command) {
+    private record Return(
+            long mission,
+            Priority priority,
+            LongSupplier nowMillis,
+            UnaryOperator<Move> limit,
+            Optional<String> command) {
+        Return with(Optional<String> other) {
+            return new Return(mission, priority, nowMillis, limit, other);
+        }
+
         boolean is(BoatCommand other) {
             return command.filter(other.commandId()::equals).isPresent();
         }
@@ -70,21 +86,25 @@ final class ChargeReturns {
     void begin(Activation activation, HandlerContext context, String aircraft) {
         Return before = all.get(aircraft);
         if (before == null || before.command.isEmpty()) {
-            robots.find(aircraft).ifPresent(robot -> send(activation, context, robot));
+            Return one = new Return(
+                    activation.mission(),
+                    activation.priority(),
+                    context::nowMillis,
+                    move -> clearWays.limit(activation, context, List.of(move)).get(0),
+                    Optional.empty());
+            robots.find(aircraft).ifPresent(robot -> send(one, robot));
         }
     }
 
-    private void send(Activation activation, HandlerContext context, BoatProxy robot) {
+    private void send(Return one, BoatProxy robot) {
         String aircraft = robot.boatId();
         way(robot).ifPresent(way -> {
-            String id = ExplainedCommand.FOR_CHARGE + context.nowMillis() + "-" + ++made + "-" + aircraft;
+            String id = ExplainedCommand.FOR_CHARGE + one.nowMillis.getAsLong() + "-" + ++made + "-" + aircraft;
             FollowPath path = new FollowPath(
-                    id, Ids.NONE, Ids.NONE, way, OptionalDouble.of(Flight.HOME_MPS), 0, activation.priority(), false);
+                    id, Ids.NONE, Ids.NONE, way, OptionalDouble.of(Flight.HOME_MPS), 0, one.priority, false);
             Move move = new Move(new Addressee(aircraft, true, List.of()), path, Optional.empty(), Reply.NONE);
-            all.put(aircraft, new Return(activation, context, Optional.of(id)));
-            clearWays
-                    .limit(activation, context, List.of(move))
-                    .forEach(one -> robot.commands().submit(one.command()));
+            all.put(aircraft, one.with(Optional.of(id)));
+            robot.commands().submit(one.limit.apply(move).command());
         });
     }
 
@@ -103,7 +123,7 @@ final class ChargeReturns {
     void giveWay(String aircraft) {
         Return one = all.get(aircraft);
         if (one != null && one.command.isPresent()) {
-            all.put(aircraft, new Return(one.activation, one.context, Optional.empty()));
+            all.put(aircraft, one.with(Optional.empty()));
             robots.find(aircraft).ifPresent(robot -> robot.commands().withdraw(one.command.get()));
         }
     }
@@ -117,8 +137,7 @@ final class ChargeReturns {
         } else if (event instanceof FleetEvent.CommandFailed failed && isOf(failed.boat(), failed.command())) {
             tell(all.remove(failed.boat()), failed.boat(), failed.reason());
         } else if (event instanceof FleetEvent.CommandWithdrawn taken && isOf(taken.boat(), taken.command())) {
-            all.computeIfPresent(
-                    taken.boat(), (name, one) -> new Return(one.activation, one.context, Optional.empty()));
+            all.computeIfPresent(taken.boat(), (name, one) -> one.with(Optional.empty()));
         }
     }
 
@@ -129,7 +148,42 @@ final class ChargeReturns {
 
     private void tell(Return one, String aircraft, String reason) {
         String words = aircraft + " could not come home, for which alone its charge lasted: " + reason;
-        messages.tell(ActivationMessages.of(one.activation, one.context, Priority.HIGH, words, List.of(aircraft)));
+        messages.tell(new OperatorMessage(
+                one.nowMillis.getAsLong(),
+                one.mission,
+                OperatorMessage.Source.DOMAIN,
+                Priority.HIGH,
+                words,
+                List.of(aircraft),
+                ""));
+    }
+
+    @Override
+    public String prefix() {
+        return "charge-return/";
+    }
+
+    /** The mission whose flight was not sent. */
+    @Override
+    public ListValue of(String aircraft) {
+        return Optional.ofNullable(all.get(aircraft))
+                .map(one -> new ListValue(List.of(new IntegerValue(one.mission))))
+                .orElse(AircraftMemory.NOTHING);
+    }
+
+    /** It comes home once it has nothing else to do. */
+    @Override
+    public void goOn(String aircraft, ListValue before, EngineHost host) {
+        if (before.items().get(0) instanceof IntegerValue mission) {
+            all.putIfAbsent(
+                    aircraft,
+                    new Return(
+                            mission.value(),
+                            Priority.HIGH,
+                            host::nowMillis,
+                            move -> clearWays.limit(host.ask(view -> WayLimits.of(mission.value(), view)), move),
+                            Optional.empty()));
+        }
     }
 
     private void follow(BoatProxy robot) {
@@ -150,7 +204,7 @@ final class ChargeReturns {
         if (isDown || isTaken || isByHand) {
             all.remove(robot.boatId());
         } else if (one.command.isEmpty() && current.isEmpty()) {
-            send(one.activation, one.context, robot);
+            send(one, robot);
         }
     }
 }

@@ -47,6 +47,11 @@ final class FlightCharges {
                 .flatMap(flight -> FlightCheck.doubt(flight, endurance.orElseThrow()));
     }
 
+    /** What the operator has accepted. */
+    AcceptedShortfalls accepted() {
+        return accepted;
+    }
+
     /** The operator sends a robot, although its charge may not last. */
     void accept(Activation activation, Move move) {
         robots.find(move.addressee().boat())

@@ -123,10 +123,9 @@ public final class MotionCommands implements Consumer<FleetEvent> {
                     && !context.orderedAgain()
                     && known.filter(was -> was == CommandMemory.SENT).isPresent()) {
                 sentBefore.add(move);
-            } else if (!move.isOver(activation, context) && answers.refuse(move)) {
-                refuse(activation, context, move, WayQuestions.REJECTED_WAY);
             } else if (!move.isOver(activation, context)) {
-                unknown.add(move);
+                answers.refusal(move)
+                        .ifPresentOrElse(reason -> refuse(activation, context, move, reason), () -> unknown.add(move));
             }
         }
         if (!sentBefore.isEmpty()) {
@@ -423,6 +422,11 @@ public final class MotionCommands implements Consumer<FleetEvent> {
     /** The missions that have moves for a boat which are kept back: they wait for its position, or for the operator. */
     public Set<Long> held(String boat) {
         return held.missions(boat);
+    }
+
+    /** What a base that goes on needs to know of flights. */
+    public List<AircraftMemory.Part> aircraftParts() {
+        return List.of(chargeReturns, questions.accepted());
     }
 
     /** Whether the base itself brings a robot home, as its charge lasts for that alone, and it is not down yet. */

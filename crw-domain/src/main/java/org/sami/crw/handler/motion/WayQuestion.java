@@ -89,11 +89,11 @@ record WayQuestion(
     }
 
     /** Takes the boats out about which the operator has given this answer already; empty where there are none. */
-    Optional<WayQuestion> takeAnswered(boolean yes) {
+    Optional<WayQuestion> takeAnswered(WayAnswer answer) {
         List<Doubted> answered = doubted.stream()
                 .filter(one -> answers()
                         .of(kind, one.move())
-                        .filter(known -> known == yes)
+                        .filter(known -> known == answer)
                         .isPresent())
                 .toList();
         doubted.removeAll(answered);
@@ -102,9 +102,9 @@ record WayQuestion(
                 : Optional.of(new WayQuestion(kind, activation, context, sender, new ArrayList<>(answered)));
     }
 
-    /** Has the mission remember the operator's answer for each move, so that nobody is asked again after a restart of the base. */
-    void remember(boolean yes) {
-        answers().remember(kind, doubted.stream().map(Doubted::move).toList(), yes);
+    /** Has the mission remember the answer for each move, so that nobody is asked again after a restart of the base. */
+    void remember(WayAnswer answer) {
+        answers().remember(kind, doubted.stream().map(Doubted::move).toList(), answer);
     }
 
     private WayAnswers answers() {

@@ -220,9 +220,8 @@ public final class WayQuestions implements HostListener {
 
     /** Boats about which the operator has decided go or do not; who else is doubted is asked about, one question after the other. */
     private void settleAnsweredAndAsk(WayQuestion question) {
-        List<Boolean> answers = List.of(true, false);
-        for (boolean yes : answers) {
-            question.takeAnswered(yes).ifPresent(answered -> settle(answered, yes));
+        for (WayAnswer answer : WayAnswer.values()) {
+            question.takeAnswered(answer).ifPresent(answered -> settle(answered, answer));
         }
         if (question.doubted().isEmpty()) {
             return;
@@ -252,7 +251,7 @@ public final class WayQuestions implements HostListener {
         if (flying.doubted().isEmpty()) {
             return;
         }
-        flying.remember(false);
+        flying.remember(WayAnswer.NOBODY);
         flying.taking(move -> !flights.canComeHome(move)).refuse(UNANSWERED_FAR);
         flying.refuse(UNANSWERED);
         flying.doubted().forEach(one -> flying.sender().sendHome(flying.activation(), flying.context(), one.boat()));
@@ -291,9 +290,9 @@ public final class WayQuestions implements HostListener {
         return held.values().stream().map(one -> one.activation().mission()).collect(Collectors.toSet());
     }
 
-    private void settle(WayQuestion one, boolean yes) {
-        if (!yes) {
-            one.refuse(REJECTED_WAY);
+    private void settle(WayQuestion one, WayAnswer answer) {
+        if (answer != WayAnswer.YES) {
+            one.refuse(answer.reason());
             return;
         }
         if (one.isFutile()) {
@@ -312,6 +311,11 @@ public final class WayQuestions implements HostListener {
                 doubted.doubt().words() + ". It goes on without coming home first, as the operator wants",
                 List.of(boat)));
         returns.excuse(boat, one.activation().mission(), one.context());
+    }
+
+    /** What the operator has accepted of flights, for a base that goes on. */
+    AircraftMemory.Part accepted() {
+        return flights.accepted();
     }
 
     /** The moves that wait for an answer. */
@@ -379,8 +383,9 @@ public final class WayQuestions implements HostListener {
             if (late) {
                 nobodyAnswered(one);
             } else {
-                one.remember(answered.yes());
-                settle(one, answered.yes());
+                WayAnswer answer = answered.yes() ? WayAnswer.YES : WayAnswer.NO;
+                one.remember(answer);
+                settle(one, answer);
             }
             askNext(key);
         }
