@@ -118,6 +118,34 @@ class ArduPilotControllerTest {
         }
     }
 
+    @Test
+    void pilotWhoArmsItBeforeAnythingIsOrderedHasItUntilItIsTakenBack() throws Exception {
+        assumeTrue(ArduPilotBoats.areThere(), ArduPilotBoats::missing);
+        Radio radio = new Radio();
+        try (ArduPilotBoats boats = new ArduPilotBoats(NUMBER, 1, SPEED, work);
+                GatewayWorld world = new GatewayWorld(work.resolve("vehicles"))) {
+            prepare();
+            radio.move(SWITCH, LOW_US);
+            world.connect(ArduPilotBoats.address(NUMBER) + "/" + (NUMBER + 1));
+            Await.until(
+                    "it is located",
+                    BOOT_S,
+                    () -> world.is(BOAT, boat -> boat.status().pose().isPresent()));
+
+            radio.move(STEERING, HIGH_US); // the stick that arms
+            world.until("it is the pilot's", BOAT, boat -> !boat.isCommanding());
+            radio.move(STEERING, MIDDLE_US);
+
+            untilSaid(world, " (MANUAL): its missions wait until you take it back");
+            sail(world);
+            world.tell(BOAT, boat -> boat.handOver().takeCommand());
+            try (OtherStation watch = new OtherStation(STATION, ArduPilotBoats.secondPort(NUMBER) + 1)) {
+                untilUnderWay(watch);
+            }
+            assertThat(world.faults).isEmpty();
+        }
+    }
+
     /** Its mode switch stands for HOLD at its upper end from now on, and for MANUAL at its lower one. */
     private static void prepare() {
         try (MavlinkBase base = new MavlinkBase(List.of(AddressText.parse(SECOND)), ProcessClock::ms)) {
