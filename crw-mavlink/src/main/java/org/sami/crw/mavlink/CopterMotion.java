@@ -134,10 +134,10 @@ final class CopterMotion extends VehicleMotion {
                 () -> base.setMode(id, BRAKE), () -> order.await(BRAKES::isSo, "come into mode " + BRAKE, next));
     }
 
-    /** As a stop: on the ground it has no place to keep. */
+    /** As a stop, but nobody is overruled: on the ground it has no place to keep. */
     @Override
     void hold(Consumer<Optional<String>> ended) {
-        stop(ended);
+        stopUnlessTaken(ended);
     }
 
     /** Nothing: who wants to fly it by hand uses its radio control. */
@@ -279,7 +279,7 @@ final class CopterMotion extends VehicleMotion {
         alarm.accept("vehicle " + id + " has taken off, and does not go on along its path: " + why);
         boolean isOurs = vehicle().mode().equals(GUIDED) || vehicle().mode().equals(AUTO);
         if (isHeard() && isOurs) {
-            stop(ended -> {});
+            stopUnlessTaken(ended -> {});
         }
     }
 

@@ -210,15 +210,20 @@ class VehicleMotion {
         return pilot.begin(ended);
     }
 
-    /** Stops it, and asks for that until the vehicle answers. A stop of a vehicle that is being stopped ends with the one under way. */
+    /** Stops it, and asks for that until the vehicle answers, whoever has it meanwhile. A stop of a vehicle that is being stopped ends with the one under way. */
     final void stop(Consumer<Optional<String>> ended) {
+        stopUnlessTaken(ended);
+        stopping.ifPresent(VehiclePilot.Order::insist);
+    }
+
+    /** The same, as long as nobody else takes it. */
+    final void stopUnlessTaken(Consumer<Optional<String>> ended) {
         if (isStopping()) {
             stopping.orElseThrow().tellAlso(ended);
             return;
         }
         hand = Optional.empty();
         VehiclePilot.Order order = begin(ended);
-        order.insist();
         stopping = Optional.of(order);
         stopBy(order);
     }

@@ -24,7 +24,8 @@ final class VehiclePilot {
     private static final String STARTS = "INITIALIZING"; // the mode of ArduPilot's boats until they have started
     private static final long CLOCK_WITHIN_MS = 3_000;
     private static final long SEEN_WITHIN_MS = 4_000; // heartbeats, which tell mode and arming, come once a second
-    private static final long LATE_MS = SEEN_WITHIN_MS; // what an order that has failed asked for may still happen
+    private static final long LATE_MS =
+            7_000; // what an order that has failed asked for may still happen: five tries, then a heartbeat
 
     /**
      * A state of the vehicle that it was ordered into: its mode, and whether its motors may turn.
@@ -53,6 +54,7 @@ final class VehiclePilot {
     private Optional<Order> failed = Optional.empty(); // the last one that failed or was given up
     private long failedMs;
     private boolean isStarted; // by somebody else, while nothing is ordered
+    private boolean stopFailed; // since the last report
     private Optional<Long> startsMs =
             Optional.empty(); // since when it may have started again, before its clock says it
     private boolean isJudged; // its clock has told that it has not
@@ -68,7 +70,8 @@ final class VehiclePilot {
     final class Order {
         private final Set<String> modes = new HashSet<>(); // in which it was or was commanded to be by this order
         private final Set<String> expected = new HashSet<>(); // modes into which nobody else need have put it
-        private boolean wasArmed; // as the order began, and no order of before turns its motors off
+        private boolean wasArmed; // seen since the order began, and no order turns its motors off
+        private boolean arms; // it has accepted that
         private boolean insists;
         private Consumer<Optional<String>> ended; // empty where all is done, or why it is not
         private Predicate<VehicleSnapshot> awaited = vehicle -> true;
@@ -90,7 +93,7 @@ final class VehiclePilot {
             ended = ended.andThen(other);
         }
 
-        /** It is carried out whatever others do with the vehicle meanwhile: a stop. */
+        /** It is carried out whatever others do with the vehicle meanwhile: a stop, or the end of an order that failed. */
         void insist() {
             insists = true;
         }
@@ -98,6 +101,10 @@ final class VehiclePilot {
         /** A mode into which this order may put it. */
         void expect(String mode) {
             expected.add(mode);
+        }
+
+        private void saw() {
+            wasArmed |= arms && now.armed();
         }
 
         /** Whether somebody else has changed its mode, or turned a boat's motors off, since the order began. A copter does the latter by itself as it has landed. */
@@ -233,6 +240,7 @@ final class VehiclePilot {
         }
 
         private void disarm(String why) {
+            insist();
             disarms = true;
             disarmAccepted = false;
             Results.when(
@@ -266,6 +274,7 @@ final class VehiclePilot {
                 return;
             }
             giveUp();
+            stopFailed = insists;
             ordered = otherwise;
             ended.accept(Optional.of(why));
         }
@@ -293,7 +302,8 @@ final class VehiclePilot {
                         base.command(id, VehicleCommand.arm()),
                         thread,
                         outcome -> {
-                            mayHaveArmed = outcome.isAccepted() || outcome.verdict() == CommandVerdict.UNANSWERED;
+                            arms = outcome.isAccepted();
+                            mayHaveArmed = arms || outcome.verdict() == CommandVerdict.UNANSWERED;
                             took(outcome, next);
                         },
                         this::fail);
@@ -357,7 +367,7 @@ final class VehiclePilot {
     static final String VOID = "a later command came";
 
     /** Why an order has ended whose vehicle somebody else has put into another state than it asked for. */
-    static final String TAKEN = "somebody else has taken the vehicle";
+    static final String TAKEN = "somebody else, or its own failsafe, has taken the vehicle";
 
     /** Whether an order is being carried out. */
     boolean isBusy() {
@@ -405,31 +415,40 @@ final class VehiclePilot {
         now = vehicle;
         nowMs = atMs;
         disarms &= vehicle.armed() || !disarmAccepted;
+        running.ifPresent(Order::saw);
         judgeStart();
-        running.ifPresent(Order::look);
+        boolean taken = isOther() && (vehicle.armed() || startsMs.isEmpty());
+        running.ifPresent(taken ? order -> order.failAsItIs(TAKEN) : Order::look);
         if (hasLanded()) { // whoever starts its motors again is somebody else
             ordered = ordered.map(state -> new Ordered(state.mode(), false));
         }
         isStarted = isStart(before);
-        boolean taken = isOther() && (vehicle.armed() || startsMs.isEmpty());
-        if (taken) {
-            running.ifPresent(order -> order.failAsItIs(TAKEN));
-        }
+        stopFailed = false;
         return taken;
     }
 
-    /** Whether somebody else has just armed it, or changed its mode while it is armed, though nothing is ordered. In HOLD a boat lies still and waits for orders. */
+    /**
+     * Whether somebody else has just armed it, or changed its mode while it is armed, though nothing is ordered; or has it as a stop has failed. In HOLD a boat lies still and waits
+     * for orders. One that its autopilot arms as it starts is nobody's.
+     */
     boolean isStartedByOthers() {
         return isStarted;
     }
 
     private boolean isStart(VehicleSnapshot before) {
-        boolean isNews = now.armed() && !(before.armed() && before.mode().equals(now.mode()));
+        boolean isChange = !before.mode().equals(STARTS)
+                && !(before.armed() && before.mode().equals(now.mode()));
+        boolean isNews = stopFailed || isChange;
         boolean isOurs = isBusy()
                 || ordered.isPresent()
                 || disarms
-                || late().filter(order -> order.expected.contains(now.mode())).isPresent();
-        return isNews && !isOurs && !now.mode().equals(VehicleMotion.HOLD);
+                || late().filter(order -> isBy(order)).isPresent();
+        return now.armed() && isNews && !isOurs && !now.mode().equals(VehicleMotion.HOLD);
+    }
+
+    /** Whether the present mode may come from an order that has failed. */
+    private boolean isBy(Order late) {
+        return (late.insists ? late.modes : late.expected).contains(now.mode());
     }
 
     private boolean isOther() {

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BatteryReport;
+import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.Nack;
@@ -451,6 +452,25 @@ class AutopilotCommandsTest {
         Await.until("it is noticed that it is taken", client::isObserver);
         assertStaysAsMissionComes(MANUAL, true);
         assertThat(boat.orderedModes()).doesNotContain(AUTO);
+    }
+
+    @Test
+    void boatThatAPilotDisarmsAsSoonAsAnOrderHasArmedItIsHis() {
+        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
+        boat.faults().ignoresSpeeds(true);
+        StartWaypoints start = new StartWaypoints("start", "first", 0);
+        client.say(start);
+        Await.until(
+                "it is seen to drive",
+                () -> client.last(Telemetry.class).orElseThrow().mode() == BoatMode.PATH);
+
+        boat.takenByPilot(AUTO, false);
+
+        assertThat(client.answerTo(start))
+                .isInstanceOfSatisfying(
+                        Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.NOT_COMMANDER));
+        Await.until("it is noticed that it is taken", client::isObserver);
+        assertThat(boat.isArmed()).isFalse();
     }
 
     private void assertStaysAsMissionComes(int mode, boolean armed) {

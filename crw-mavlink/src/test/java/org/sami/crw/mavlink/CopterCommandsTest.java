@@ -41,6 +41,8 @@ class CopterCommandsTest {
     private static final Waypoint GROUND = new Waypoint(45.7004, 10.7206, 5, 0);
     private static final Waypoint FAR = new Waypoint(45.8, 10.72, 5, 20);
 
+    private static final int SET_MODE = 176;
+
     @TempDir
     private Path folder;
 
@@ -125,6 +127,19 @@ class CopterCommandsTest {
         copter.armedByPilot();
 
         client.untilAlarm("mav6 is taken by a pilot or another ground station (AUTO)");
+    }
+
+    @Test
+    void pilotWhoTakesItAsItIsToKeepItsPlaceForANewPathHasIt() {
+        fly("path", 0, UP, FAR);
+        copter.takenByPilotAt(SET_MODE, SmallCopter.STABILIZE); // in place of BRAKE
+
+        assertThat(upload("another", UP, EAST))
+                .isInstanceOfSatisfying(
+                        Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.NOT_COMMANDER));
+
+        Await.until("it is noticed that it is taken", client::isObserver);
+        assertThat(copter.mode()).isEqualTo(SmallCopter.STABILIZE);
     }
 
     @Test

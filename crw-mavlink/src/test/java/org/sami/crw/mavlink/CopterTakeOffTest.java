@@ -17,6 +17,7 @@ import org.sami.boat.link.FleetStop;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.LinkMessage;
 import org.sami.boat.link.Nack;
+import org.sami.boat.link.NackReason;
 import org.sami.boat.link.Progress;
 import org.sami.boat.link.ReadBack;
 import org.sami.boat.link.StartWaypoints;
@@ -363,7 +364,7 @@ class CopterTakeOffTest {
 
         assertThat(start("again", FROM))
                 .isInstanceOfSatisfying(
-                        Nack.class, nack -> assertThat(nack.detail()).startsWith("vehicle 6 fails to go to a place"));
+                        Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.NOT_COMMANDER));
 
         assertThat(copter.mode()).isEqualTo(SmallCopter.STABILIZE);
     }
@@ -375,7 +376,7 @@ class CopterTakeOffTest {
         takesOff();
         copter.takenByPilotAt(GO_ON_AT, SmallCopter.STABILIZE);
 
-        client.untilAlarm("vehicle 6 has taken off, and does not go on along its path: it is in mode STABILIZE");
+        client.untilAlarm("mav6 is taken by a pilot or another ground station (STABILIZE)");
         Await.holds("it stays the pilot's", 3, () -> copter.mode() == SmallCopter.STABILIZE);
     }
 

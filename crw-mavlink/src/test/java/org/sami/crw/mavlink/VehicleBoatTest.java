@@ -223,7 +223,6 @@ class VehicleBoatTest {
     void missionOfAVehicleThatIsTakenAsItIsSentWaitsUntilItIsTakenBack() {
         boat.faults().ignoresMissions(true);
         submit(path(FIRST, SECOND, THIRD));
-        world.until("it is to set off", BOAT, proxy -> proxy.explain().text().contains("begin"));
 
         boat.takenByPilot(MANUAL, true);
 
