@@ -4,7 +4,6 @@ import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.minimal.MavType;
-import java.security.SecureRandom;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -44,13 +43,13 @@ final class BaseLinks implements AutoCloseable {
      */
     BaseLinks(
             List<MavlinkAddress> addresses,
-            Optional<LinkSigning> signing,
+            MavlinkBaseOptions options,
             Executor owner,
             BiConsumer<MavlinkAddress, ReceivedMessage> handle) {
         this.owner = owner;
         this.handle = handle;
-        this.signing = signing;
-        mark = new SecureRandom().nextLong(1, MARKS);
+        signing = options.signing();
+        mark = options.marks().nextLong(1, MARKS);
         addresses.forEach(this::add);
     }
 

@@ -86,7 +86,7 @@ public final class MavlinkBase implements AutoCloseable {
         owner = this::execute;
         asking = new MessageAsking(table, options.signing().isPresent());
         requests = new VehicleRequests(table, options, nowMs, thread, this::send);
-        links = new BaseLinks(addresses, options.signing(), owner, this::handle);
+        links = new BaseLinks(addresses, options, owner, this::handle);
         recognition = new LinkRecognition(
                 table,
                 (vehicle, link, command) ->
