@@ -13,6 +13,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.sami.crw.fleet.RobotKind;
 import org.sami.mavlink.address.AddressText;
 import org.sami.mavlink.address.MavlinkAddress;
@@ -50,6 +51,7 @@ final class VehicleLinks {
     private final Map<Integer, String> untold = new HashMap<>(); // by system id; for the next base
     private final NumberWait numbers = new NumberWait();
     private final BrokenLinks broken = new BrokenLinks();
+    private final OpenedAddresses opened;
     private List<VehicleSnapshot> vehicles = List.of();
     private SessionFence fence = SessionFence.NONE; // that each vehicle is to hold
     private long ticks;
@@ -73,6 +75,7 @@ final class VehicleLinks {
         this.nowMs = nowMs;
         this.files = files;
         this.base = base;
+        opened = new OpenedAddresses(base);
         base.addListener(events);
     }
 
@@ -89,7 +92,7 @@ final class VehicleLinks {
      */
     void add(VehicleConnection connection, long now) {
         key.reread();
-        base.open(linkOf(connection));
+        opened.ask(named(connection), homes.containsValue(connection.address()), now);
         if (connection.address().getPort() == EVERY_VEHICLE) {
             several.add(new Several(connection, new TreeSet<>(), now + TRY_MS));
         } else {
@@ -97,8 +100,27 @@ final class VehicleLinks {
         }
     }
 
-    private static MavlinkAddress linkOf(VehicleConnection connection) {
+    private static MavlinkAddress named(VehicleConnection connection) {
         return AddressText.parse(connection.address().getHostString());
+    }
+
+    /** The link to which a connection leads: that of its address, or the one that has taken its place. */
+    private MavlinkAddress linkOf(VehicleConnection connection) {
+        return opened.present(named(connection));
+    }
+
+    /** The address of a vehicle of a connection on the link to which that leads. */
+    private InetSocketAddress addressOf(VehicleConnection connection, int system) {
+        MavlinkAddress link = linkOf(connection);
+        String text = link.equals(named(connection)) ? connection.address().getHostString() : link.toString();
+        return InetSocketAddress.createUnresolved(text, system);
+    }
+
+    private boolean isWaited(MavlinkAddress link) {
+        return Stream.concat(
+                        waiting.stream().map(Waiting::connection),
+                        several.stream().map(Several::connection))
+                .anyMatch(connection -> linkOf(connection).equals(link));
     }
 
     /** Called on the thread of the MAVLink base. */
@@ -136,6 +158,7 @@ final class VehicleLinks {
         }
         if (ticks++ % STATUS_TICKS == 0) {
             key.reread();
+            opened.closeUnused(this::isWaited, nowMs.getAsLong());
             boats.forEach((system, boat) -> key.warning(system, boat.name()).ifPresent(boat::toldOfKey));
             Results.when(base.plans(), thread, plans -> tell(plans, nowMs.getAsLong()), why -> {});
         }
@@ -226,7 +249,8 @@ final class VehicleLinks {
 
     /** Where the session reaches the vehicle of a connection: where it was found first. */
     private InetSocketAddress home(VehicleConnection connection) {
-        return homes.getOrDefault(connection.address().getPort(), connection.address());
+        int system = connection.address().getPort();
+        return Optional.ofNullable(homes.get(system)).orElseGet(() -> addressOf(connection, system));
     }
 
     private Optional<VehicleSnapshot> vehicle(int system) {
@@ -256,10 +280,7 @@ final class VehicleLinks {
         for (VehicleSnapshot vehicle : vehicles) {
             int system = vehicle.id().system();
             if (isCommanded(vehicle) && vehicle.links().contains(link) && all.found.add(system)) {
-                all.connection.found(homes.computeIfAbsent(
-                        system,
-                        first -> InetSocketAddress.createUnresolved(
-                                all.connection.address().getHostString(), system)));
+                all.connection.found(homes.computeIfAbsent(system, first -> addressOf(all.connection, first)));
             }
         }
         boolean isOpen =

@@ -19,6 +19,9 @@ public sealed interface MavlinkAddress {
     /** What the link carries, in baud; empty for networks, where that does not matter. */
     OptionalInt speedBaud();
 
+    /** The end of this machine, or the port of another one, without the speed: a link that is open there leaves no room for one at another speed. */
+    String place();
+
     /** A TCP server: an autopilot's simulator, or a router of links. */
     record Tcp(String host, int port, OptionalInt speedBaud) implements MavlinkAddress {
         /** An address.
@@ -37,8 +40,13 @@ public sealed interface MavlinkAddress {
         }
 
         @Override
+        public String place() {
+            return PREFIX + "tcp:" + host + ":" + port;
+        }
+
+        @Override
         public String toString() {
-            return PREFIX + "tcp:" + host + ":" + port + RadioSpeed.text(speedBaud);
+            return place() + RadioSpeed.text(speedBaud);
         }
     }
 
@@ -54,8 +62,13 @@ public sealed interface MavlinkAddress {
         }
 
         @Override
+        public String place() {
+            return PREFIX + "udp:" + port;
+        }
+
+        @Override
         public String toString() {
-            return PREFIX + "udp:" + port + RadioSpeed.text(speedBaud);
+            return place() + RadioSpeed.text(speedBaud);
         }
     }
 
@@ -77,8 +90,13 @@ public sealed interface MavlinkAddress {
         }
 
         @Override
+        public String place() {
+            return PREFIX + "udpout:" + host + ":" + port;
+        }
+
+        @Override
         public String toString() {
-            return PREFIX + "udpout:" + host + ":" + port + RadioSpeed.text(speedBaud);
+            return place() + RadioSpeed.text(speedBaud);
         }
     }
 
@@ -102,8 +120,13 @@ public sealed interface MavlinkAddress {
         }
 
         @Override
+        public String place() {
+            return PREFIX + "serial:" + device;
+        }
+
+        @Override
         public String toString() {
-            return PREFIX + "serial:" + device + ":" + baud;
+            return place() + ":" + baud;
         }
     }
 

@@ -11,6 +11,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.Semaphore;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.sami.mavlink.address.MavlinkAddress;
@@ -32,6 +33,8 @@ final class BaseLinks implements AutoCloseable {
     private final BiConsumer<MavlinkAddress, ReceivedMessage> handle;
     private final Semaphore room = new Semaphore(UNHANDLED);
     private final List<MavlinkLink> links = new CopyOnWriteArrayList<>();
+    private final List<MavlinkLink> leaving = new CopyOnWriteArrayList<>(); // that are being closed
+    private int made;
     private final Optional<LinkSigning> signing;
 
     /**
@@ -50,22 +53,75 @@ final class BaseLinks implements AutoCloseable {
         this.handle = handle;
         signing = options.signing();
         mark = options.marks().nextLong(1, MARKS);
-        addresses.forEach(this::add);
+        for (MavlinkAddress address : addresses) {
+            links.removeIf(link ->
+                    !link.address().equals(address) && link.address().place().equals(address.place()));
+            add(address);
+        }
     }
 
     private Optional<MavlinkLink> add(MavlinkAddress address) {
         if (addresses().contains(address)) {
             return Optional.empty();
         }
-        LinkEnd end = LinkEnd.ground(links.size() % LINK_IDS, signing);
+        LinkEnd end = LinkEnd.ground(made++ % LINK_IDS, signing);
         MavlinkLink link = new MavlinkLink(address, this::received, end, ReadMessages.KINDS::contains);
         links.add(link);
         return Optional.of(link);
     }
 
-    /** Begins to open one more, if its address is another than theirs. For one thread at a time. */
-    void open(MavlinkAddress address) {
-        add(address).ifPresent(MavlinkLink::start);
+    private Optional<MavlinkLink> at(String place) {
+        return links.stream()
+                .filter(link -> link.address().place().equals(place))
+                .findFirst();
+    }
+
+    /**
+     * Begins to open one more, if its address is another than theirs; in place of one at the same place with another speed, which is closed before. For one thread at a time.
+     *
+     * @param replaced receives the address of that one, once nothing more comes from it and before anything comes from the new one
+     */
+    void open(MavlinkAddress address, Consumer<MavlinkAddress> replaced) {
+        Optional<MavlinkLink> before =
+                at(address.place()).filter(link -> !link.address().equals(address));
+        before.ifPresent(link -> {
+            leaving.add(link);
+            links.remove(link);
+        });
+        Optional<MavlinkLink> added = add(address);
+        before.ifPresent(link -> replaced.accept(link.address()));
+        if (before.isPresent() || isLeaving(address)) {
+            release(() -> added.ifPresent(MavlinkLink::start));
+        } else {
+            added.ifPresent(MavlinkLink::start);
+        }
+    }
+
+    private boolean isLeaving(MavlinkAddress address) {
+        return leaving.stream().anyMatch(link -> link.address().place().equals(address.place()));
+    }
+
+    /** Closes the link of an address, if there is one; it may be opened again. For one thread at a time. */
+    void close(MavlinkAddress address) {
+        List<MavlinkLink> closed =
+                links.stream().filter(link -> link.address().equals(address)).toList();
+        leaving.addAll(closed);
+        links.removeAll(closed);
+        release(() -> {});
+    }
+
+    /** Waits for links that are being closed, which may take seconds, on a thread of its own. */
+    private void release(Runnable after) {
+        List<MavlinkLink> closed = List.copyOf(leaving);
+        Thread thread = new Thread(
+                () -> {
+                    closed.forEach(MavlinkLink::close);
+                    leaving.removeAll(closed);
+                    after.run();
+                },
+                "mavlink closes a link");
+        thread.setDaemon(true);
+        thread.start();
     }
 
     /** The radios that report themselves. */
@@ -101,7 +157,9 @@ final class BaseLinks implements AutoCloseable {
         try {
             owner.execute(() -> {
                 room.release(messages.size());
-                messages.forEach(message -> BaseThread.run(() -> handle.accept(from, message)));
+                if (addresses().contains(from)) { // else it was closed meanwhile
+                    messages.forEach(message -> BaseThread.run(() -> handle.accept(from, message)));
+                }
             });
         } catch (RejectedExecutionException closed) {
             room.release(messages.size());
@@ -138,5 +196,6 @@ final class BaseLinks implements AutoCloseable {
     @Override
     public void close() {
         links.forEach(MavlinkLink::close);
+        leaving.forEach(MavlinkLink::close);
     }
 }

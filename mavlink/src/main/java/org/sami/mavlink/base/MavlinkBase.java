@@ -95,9 +95,17 @@ public final class MavlinkBase implements AutoCloseable {
         thread.begin(everyTick);
     }
 
-    /** Opens one more link, if its address is another than those that are open; returns at once. For one thread at a time. */
+    /**
+     * Opens one more link, if its address is another than those that are open; returns at once. One that is open at the same {@linkplain MavlinkAddress#place()
+     * place} with another speed is closed first; the vehicles that were heard on it are expected on the new one. For one thread at a time.
+     */
     public void open(MavlinkAddress address) {
-        links.open(address);
+        links.open(address, before -> owner.execute(() -> table.moved(before, address)));
+    }
+
+    /** Closes the link of an address, if there is one, so that others may have its port; returns at once. It may be opened again. For one thread at a time. */
+    public void close(MavlinkAddress address) {
+        links.close(address);
     }
 
     /** What is known of each link, in the order of the addresses. */

@@ -103,10 +103,12 @@ public final class MavlinkLink implements AutoCloseable {
         writer.setDaemon(true);
     }
 
-    /** Begins; returns at once. */
-    public void start() {
-        reader.start();
-        writer.start();
+    /** Begins, if it is not closed already; returns at once. */
+    public synchronized void start() {
+        if (closing.getCount() > 0) {
+            reader.start();
+            writer.start();
+        }
     }
 
     /** Where it leads. */
@@ -358,8 +360,8 @@ public final class MavlinkLink implements AutoCloseable {
     /** Closes it and waits until its threads have ended. */
     @Override
     public void close() {
-        closing.countDown();
         synchronized (this) {
+            closing.countDown();
             connected.ifPresent(now -> close(now.streams()));
         }
         reader.interrupt();

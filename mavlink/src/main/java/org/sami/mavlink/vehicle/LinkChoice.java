@@ -27,7 +27,7 @@ final class LinkChoice {
 
     /** How a vehicle is heard on a link. */
     private static final class Heard {
-        private final MavlinkAddress link;
+        private MavlinkAddress link;
         private long atMs;
         private int next;
         private double lost;
@@ -92,6 +92,14 @@ final class LinkChoice {
             return Optional.of("has the weaker signal");
         }
         return Optional.empty();
+    }
+
+    /** A link was replaced by another one at the same port: what was known of it says nothing of that one, but it stays the one in use. */
+    void moved(MavlinkAddress before, MavlinkAddress now) {
+        links.stream().filter(each -> each.link.equals(before)).forEach(each -> {
+            each.link = now;
+            each.lost = 0;
+        });
     }
 
     /** Which radios report themselves now. */

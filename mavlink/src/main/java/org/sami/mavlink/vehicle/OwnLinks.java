@@ -86,6 +86,14 @@ final class OwnLinks {
         return one.agreed >= 1 && (isSameNumber || (one.agreed >= OFTEN && nowMs - one.sinceMs >= ANSWER_MS));
     }
 
+    /** A link was replaced by another one at the same port, which counts as the same. */
+    void moved(MavlinkAddress before, MavlinkAddress now) {
+        unsettled.remove(before);
+        if (own.remove(before)) {
+            own.add(now);
+        }
+    }
+
     /** Whether a link is one of the vehicle's. */
     boolean has(MavlinkAddress link) {
         return own.contains(link);

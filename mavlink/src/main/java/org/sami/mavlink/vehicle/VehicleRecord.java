@@ -365,6 +365,12 @@ final class VehicleRecord {
         return now;
     }
 
+    /** One of its links may have been replaced by another one at the same port. */
+    void moved(MavlinkAddress before, MavlinkAddress now) {
+        own.moved(before, now);
+        links.moved(before, now);
+    }
+
     OwnLinks own() {
         return own;
     }

@@ -138,6 +138,11 @@ public final class VehicleTable {
                 .isPresent();
     }
 
+    /** A link was replaced by another one at the same port: who was heard on it is expected on that one. */
+    public void moved(MavlinkAddress before, MavlinkAddress now) {
+        vehicles.values().forEach(known -> known.moved(before, now));
+    }
+
     /** Which radios report themselves now. */
     public void radios(RadioSignals now) {
         radios = now;
