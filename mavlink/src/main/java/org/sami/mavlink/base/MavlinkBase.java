@@ -84,7 +84,7 @@ public final class MavlinkBase implements AutoCloseable {
         this.thread = thread;
         this.hasOwnThread = hasOwnThread;
         owner = this::execute;
-        asking = new MessageAsking(table, options.signing().isPresent());
+        asking = new MessageAsking(table, options.signing().isPresent(), nowMs);
         requests = new VehicleRequests(table, options, nowMs, thread, this::send);
         links = new BaseLinks(addresses, options, owner, this::handle);
         recognition = new LinkRecognition(
@@ -257,7 +257,7 @@ public final class MavlinkBase implements AutoCloseable {
         owner.execute(() -> {
             if (table.has(vehicle)) {
                 table.restarted(vehicle);
-                asking.renew(vehicle, nowMs.getAsLong());
+                asking.renew(vehicle);
                 requests.restarted(vehicle);
                 tell(List.of(new VehicleEvent.Restarted(vehicle)));
             }
@@ -290,7 +290,7 @@ public final class MavlinkBase implements AutoCloseable {
             if (event instanceof VehicleEvent.Appeared
                     || event instanceof VehicleEvent.Restarted
                     || event instanceof VehicleEvent.Replaced) {
-                asking.renew(id, now);
+                asking.renew(id);
             }
         }
         if (!table.isForeign(id, from)) {
@@ -313,7 +313,7 @@ public final class MavlinkBase implements AutoCloseable {
         }
         long now = nowMs.getAsLong();
         requests.tick(now);
-        asking.tick(now, requests::messages);
+        asking.tick(requests);
         recognition.tick(now);
     }
 

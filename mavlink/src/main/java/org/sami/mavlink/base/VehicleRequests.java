@@ -10,7 +10,6 @@ import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import org.sami.mavlink.command.CommandMessages;
 import org.sami.mavlink.command.CommandOutcome;
-import org.sami.mavlink.command.PendingCommands;
 import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.link.ReceivedMessage;
 import org.sami.mavlink.mission.HeldKind;
@@ -21,7 +20,7 @@ import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleTable;
 
 /** What a base asks of each vehicle and has no answer to yet: commands, lists, parameters, and the key with which it is to sign. Used by the base's thread. */
-final class VehicleRequests {
+final class VehicleRequests implements MessageAsking.Requests {
     private static final long ITEM_MS = 20; // what an autopilot needs for an item of a list
 
     private final VehicleTable table;
@@ -120,19 +119,25 @@ final class VehicleRequests {
         return result;
     }
 
-    /** Asks a vehicle for the messages of a plan, in place of those of an earlier one that wait to be asked for: a vehicle that does not answer is asked slowly. */
-    void messages(VehicleId vehicle, MessagePlan plan) {
+    /** A vehicle that does not answer is asked slowly: one message after the other. */
+    @Override
+    public void askAll(VehicleId vehicle, MessagePlan plan, MessageAsking.Answered answered) {
         if (plan.isTight()) {
             send.accept(vehicle, StreamStop.of(vehicle)); // what it sends by itself
         }
-        PendingCommands commands = of(vehicle).commands();
-        commands.withdrawUnsent(VehicleCommand.SEND_EVERY);
-        plan.messages()
-                .forEach(message -> commands.give(
+        of(vehicle).commands().withdrawUnsent(VehicleCommand.SEND_EVERY);
+        plan.messages().forEach(message -> askOne(vehicle, message, answered));
+    }
+
+    @Override
+    public void askOne(VehicleId vehicle, AskedMessage message, MessageAsking.Answered answered) {
+        of(vehicle)
+                .commands()
+                .give(
                         VehicleCommand.sendEvery(message.number(), message.everyS()),
                         nowMs.getAsLong(),
                         percent -> {},
-                        outcome -> {}));
+                        outcome -> answered.answered(message, outcome.verdict()));
     }
 
     /**

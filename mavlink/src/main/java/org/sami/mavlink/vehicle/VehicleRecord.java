@@ -267,6 +267,11 @@ final class VehicleRecord {
         return duplicates.isTwin(heardMs);
     }
 
+    /** When it was heard last. */
+    long heardMs() {
+        return heardMs;
+    }
+
     /** Whether it goes on speaking without saying where it is. */
     boolean isPositionOld() {
         return heardMs - positionMs > POSITION_MS;

@@ -78,6 +78,13 @@ public final class VehicleTable {
         return vehicles.containsKey(id);
     }
 
+    /** Whether a vehicle was heard within a time. */
+    public boolean isHeard(VehicleId id, long nowMs, long withinMs) {
+        return Optional.ofNullable(vehicles.get(id))
+                .filter(known -> nowMs - known.heardMs() <= withinMs)
+                .isPresent();
+    }
+
     /** Whether a vehicle goes on speaking, but has not said for seconds where it is. */
     public boolean isPositionOld(VehicleId id) {
         return Optional.ofNullable(vehicles.get(id))
