@@ -8,15 +8,17 @@ import org.sami.mavlink.address.MavlinkAddress;
 
 /**
  * Chooses the link on which messages are sent to a vehicle: of those on which it is heard, the one that has lost least lately; of equal ones a network before a
- * radio, and the radio with the stronger signal. The choice changes when another is clearly better, or when the chosen one is silent. Used by one thread.
+ * radio, and the radio with the stronger signal. Two that differ by no more than one lost message are equal. The choice changes when another is clearly better,
+ * when the chosen one is silent, and from a radio to a network that is as good and has not been silent for a time. Used by one thread.
  */
 final class LinkChoice {
     private static final long SILENT_MS = 2_500; // two heartbeats
     private static final double CLEARLY = 0.1; // of all messages, less lost
-    private static final double NEW_PART = 0.02;
+    private static final double NEW_PART = 0.02; // that the newest message makes of what is lost
     private static final int NUMBERS = 256;
     private static final int AT_ONCE = 128; // a wider gap is an older message, or a sender that began again
 
+    private static final long STEADY_MS = 10_000; // without silence, before a network is used again in place of a radio
     private static final long FRESH_MS = 1_000; // within which what comes on other links is no news
     private static final int CLEARLY_STRONGER = 30; // of a radio's signal, some 15 dB
     private static final int PERCENT = 100;
@@ -29,12 +31,15 @@ final class LinkChoice {
     private static final class Heard {
         private MavlinkAddress link;
         private long atMs;
+        private long steadySinceMs;
         private int next;
         private double lost;
 
-        Heard(MavlinkAddress link, int number) {
+        Heard(MavlinkAddress link, int number, long nowMs) {
             this.link = link;
             next = number;
+            atMs = nowMs;
+            steadySinceMs = nowMs;
         }
 
         boolean isSilent(long nowMs) {
@@ -46,6 +51,7 @@ final class LinkChoice {
             if (gap < AT_ONCE) {
                 lost += NEW_PART * ((gap == 0 ? 0 : 1) - lost);
             }
+            steadySinceMs = isSilent(nowMs) ? nowMs : steadySinceMs;
             atMs = nowMs;
             next = (number + 1) % NUMBERS;
         }
@@ -64,7 +70,7 @@ final class LinkChoice {
                 .filter(each -> each.link.equals(link))
                 .findFirst()
                 .orElseGet(() -> {
-                    Heard made = new Heard(link, number);
+                    Heard made = new Heard(link, number, nowMs);
                     links.add(made);
                     return made;
                 });
@@ -88,7 +94,13 @@ final class LinkChoice {
         if (best.lost + CLEARLY < present.lost) {
             return Optional.of("loses %.0f %% of its messages".formatted(present.lost * PERCENT));
         }
-        if (best.lost <= present.lost + NEW_PART && strength(best) > strength(present) + CLEARLY_STRONGER) {
+        boolean isAsGood = best.lost <= present.lost + NEW_PART;
+        if (radios.isSlow(present.link) && !radios.isSlow(best.link)) {
+            return isAsGood && nowMs - best.steadySinceMs >= STEADY_MS
+                    ? Optional.of("has a radio in it, and loses no less")
+                    : Optional.empty();
+        }
+        if (isAsGood && strength(best) > strength(present) + CLEARLY_STRONGER) {
             return Optional.of("has the weaker signal");
         }
         return Optional.empty();
@@ -118,11 +130,17 @@ final class LinkChoice {
     }
 
     private List<Heard> order(long nowMs) {
+        double least = links.stream()
+                .filter(each -> !each.isSilent(nowMs))
+                .mapToDouble(each -> each.lost)
+                .min()
+                .orElse(0);
         List<Heard> order = new ArrayList<>(links);
         order.sort(Comparator.comparing((Heard each) -> each.isSilent(nowMs))
-                .thenComparing(each -> each.lost)
+                .thenComparing(each -> each.lost <= least + NEW_PART ? 0 : each.lost)
                 .thenComparing(each -> radios.isSlow(each.link)) // slower than a network
-                .thenComparing(Comparator.comparing(this::strength).reversed()));
+                .thenComparing(Comparator.comparing(this::strength).reversed())
+                .thenComparing(each -> each.lost));
         return order;
     }
 

@@ -74,4 +74,48 @@ class LinkChoiceTest {
         assertThat(choice.links(6_000)).extracting(HeardLink::link).containsExactly(ONE, OTHER);
         assertThat(choice.links(6_000).get(1).lost()).isGreaterThan(0.4);
     }
+
+    private static final MavlinkAddress NETWORK = AddressText.parse("mavlink:udp:14551");
+
+    private void bothHeardFor(int fromMs, int toMs, int firstNumber) {
+        for (int ms = fromMs, number = firstNumber; ms < toMs; ms += 100, number++) {
+            choice.heard(NETWORK, number % 256, ms);
+            choice.heard(ONE, number % 256, ms + 10);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void vehicleReturnsToTheNetworkSomeTimeAfterAHiccup(boolean radioReportsItself) {
+        if (radioReportsItself) {
+            choice.radios(new RadioSignals(Map.of(ONE, OptionalInt.of(180))));
+        }
+        bothHeardFor(0, 2_000, 0);
+        assertThat(choice.chosen()).contains(NETWORK);
+        for (int ms = 2_000, number = 20; ms < 6_000; ms += 100, number++) {
+            choice.heard(ONE, number, ms + 10);
+        }
+        assertThat(choice.chosen()).as("the network is silent").contains(ONE);
+
+        bothHeardFor(6_000, 14_000, 60);
+        assertThat(choice.chosen()).as("it may be silent again soon").contains(ONE);
+        bothHeardFor(14_000, 17_000, 140);
+        assertThat(choice.chosen()).contains(NETWORK);
+        assertThat(choice.links(17_000)).extracting(HeardLink::link).containsExactly(NETWORK, ONE);
+    }
+
+    @Test
+    void networkThatLosesMoreThanTheRadioDoesNotGetTheVehicleBack() {
+        bothHeardFor(0, 2_000, 0);
+        for (int ms = 2_000, number = 20; ms < 30_000; ms += 100, number++) {
+            if (ms < 6_000 || number % 10 != 0) {
+                choice.heard(ONE, number % 256, ms + 10);
+            }
+            if (ms >= 6_000 && number % 6 != 0) { // a sixth is lost
+                choice.heard(NETWORK, number % 256, ms);
+            }
+        }
+
+        assertThat(choice.chosen()).contains(ONE);
+    }
 }
