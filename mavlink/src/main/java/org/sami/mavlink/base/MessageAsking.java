@@ -13,7 +13,7 @@ import org.sami.mavlink.vehicle.VehicleId;
 import org.sami.mavlink.vehicle.VehicleTable;
 
 /**
- * Asks each vehicle for the messages of its link's plan: when it appears, when others appear on a slow link, when it starts again, when it is reached on
+ * Asks each vehicle for the messages of its link's plan: when it appears, when others appear on a slow link or have left it for a minute, when it starts again, when it is reached on
  * another link (autopilots keep these requests for each link), and when it has sent no position for seconds. Asks again for a single one that it has not
  * confirmed, while it is heard, ever more seldom; not for one that it refuses. Used by one thread.
  */
@@ -25,6 +25,7 @@ final class MessageAsking {
     private static final long UNCONFIRMED_MS =
             5_000; // until one that was not confirmed is asked for again; then double
     private static final long SELDOM_MS = 80_000; // at most
+    private static final long LEFT_MS = 60_000; // one that is silent for longer needs no room on its link
     private static final long HEARD_MS = 3_000; // within which a vehicle was heard that may answer
 
     private final VehicleTable table;
@@ -32,6 +33,7 @@ final class MessageAsking {
     private final LongSupplier nowMs;
     private final Map<VehicleId, Asked> asked = new HashMap<>();
     private final Map<MavlinkAddress, Long> changedMs = new HashMap<>();
+    private final Map<MavlinkAddress, Integer> counted = new HashMap<>(); // vehicles
     private final Map<MavlinkAddress, MessagePlan> plans = new HashMap<>();
 
     /** Asks vehicles. */
@@ -98,11 +100,16 @@ final class MessageAsking {
         table.linkOf(vehicle).ifPresent(link -> changedMs.put(link, nowMs.getAsLong()));
     }
 
-    /** The plan of a link for the vehicles that are reached on it now. */
+    /** The plan of a link for the vehicles that are reached on it now, and were heard within a minute. */
     MessagePlan plan(MavlinkAddress link) {
+        long now = nowMs.getAsLong();
         int vehicles = (int) table.ids().stream()
-                .filter(id -> table.linkOf(id).equals(Optional.of(link)))
+                .filter(id -> isThere(id, now) && table.linkOf(id).equals(Optional.of(link)))
                 .count();
+        Integer before = counted.put(link, vehicles);
+        if (before != null && before != vehicles) {
+            changedMs.put(link, now);
+        }
         MessagePlan known = plans.get(link);
         OptionalInt baud = table.radios().speedBaud(link);
         if (known == null || !known.isFor(baud, vehicles)) {
@@ -110,6 +117,10 @@ final class MessageAsking {
             plans.put(link, known);
         }
         return known;
+    }
+
+    private boolean isThere(VehicleId vehicle, long now) {
+        return table.isHeard(vehicle, now, LEFT_MS);
     }
 
     /** The plan of each link, in the order given. */
@@ -133,7 +144,7 @@ final class MessageAsking {
                         || !before.plan.messages().equals(plan.messages())
                         || before.plan.isTight() != plan.isTight() // a radio has reported itself there
                         || (table.isPositionOld(vehicle) && now - before.atMs >= AGAIN_MS);
-                if (other && settled) {
+                if (other && settled && isThere(vehicle, now)) {
                     Asked all = new Asked(link, plan, now);
                     asked.put(vehicle, all);
                     requests.askAll(vehicle, plan, answered(all));

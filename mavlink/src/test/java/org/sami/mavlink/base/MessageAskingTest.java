@@ -1,6 +1,7 @@
 package org.sami.mavlink.base;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import io.dronefleet.mavlink.common.CommandAck;
 import io.dronefleet.mavlink.common.CommandLong;
@@ -17,6 +18,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.sami.mavlink.address.AddressText;
@@ -171,5 +173,50 @@ class MessageAskingTest {
         isHeard = true;
         pass(3, 3);
         assertThat(times(FILTER)).isGreaterThan(5);
+    }
+
+    private double positionEveryS(int vehicle) {
+        return sent.stream()
+                .filter(one -> one.vehicle() == vehicle && one.message() == 33)
+                .reduce((before, later) -> later)
+                .orElseThrow()
+                .everyS();
+    }
+
+    private static double planned(int vehicles) {
+        return MessagePlan.of(RADIO, vehicles, false).messages().get(0).everyS();
+    }
+
+    @Test
+    void vehiclesThatLeftDoNotSlowDownThoseThatAreStillHeard() {
+        int[] all = IntStream.rangeClosed(1, 25).toArray();
+        pass(10, all);
+        assertThat(positionEveryS(1)).isCloseTo(planned(25), within(1e-3));
+        sent.clear();
+
+        pass(50, 1, 2, 3);
+        assertThat(sent).as("the others may be back soon").isEmpty();
+        pass(40, 1, 2, 3);
+
+        assertThat(positionEveryS(1)).isCloseTo(planned(3), within(1e-3));
+        assertThat(sent)
+                .as("each is asked once, and nobody who has left")
+                .hasSize(3 * 8)
+                .extracting(Sent::vehicle)
+                .containsOnly(1, 2, 3);
+        assertThat(asking.plan(RADIO).vehicles()).isEqualTo(3);
+    }
+
+    @Test
+    void vehiclesThatComeBackAreCountedAgainAtOnce() {
+        int[] all = IntStream.rangeClosed(1, 25).toArray();
+        pass(10, all);
+        pass(90, 1, 2, 3);
+        sent.clear();
+
+        pass(10, all);
+
+        assertThat(positionEveryS(1)).isCloseTo(planned(25), within(1e-3));
+        assertThat(sent.stream().filter(one -> one.vehicle() == 1)).hasSize(8);
     }
 }
