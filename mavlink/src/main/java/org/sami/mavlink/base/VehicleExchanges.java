@@ -48,7 +48,7 @@ final class VehicleExchanges {
             if (event instanceof VehicleEvent.Said said) {
                 commands.heard(said.text());
             } else if (event instanceof VehicleEvent.Restarted) {
-                restarted();
+                restarted(nowMs);
             }
         }
         if (AnswerTargets.isForAnother(message)) {
@@ -59,8 +59,9 @@ final class VehicleExchanges {
         parameters.take(message, nowMs);
     }
 
-    /** Its autopilot has started again: what it holds may be another. */
-    void restarted() {
+    /** Its autopilot has started again: what it holds may be another, and it is not moved by what was asked of it before. */
+    void restarted(long nowMs) {
+        commands.restarted(nowMs);
         lists.forget();
     }
 
