@@ -312,6 +312,7 @@ public final class MavlinkBase implements AutoCloseable {
             table.radios(links.radios());
         }
         long now = nowMs.getAsLong();
+        tell(table.tick(now));
         requests.tick(now);
         asking.tick(requests);
         recognition.tick(now);

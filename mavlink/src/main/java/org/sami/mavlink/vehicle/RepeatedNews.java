@@ -8,7 +8,7 @@ import org.sami.mavlink.address.MavlinkAddress;
 
 /** Recognizes what a vehicle says once and what therefore comes once on each of its links, such as a text. Used by one thread. */
 final class RepeatedNews {
-    private static final long WITHIN_MS = 5_000; // the slower link is behind by less
+    static final long WITHIN_MS = 5_000; // the slower link is behind by less
 
     private final Deque<News> recent = new ArrayDeque<>();
 

@@ -6,50 +6,70 @@ import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
 
-/** Joins the texts of one vehicle that come in parts of 50 characters. A text that lost a part is given without it once another text comes. */
+/**
+ * Joins the texts of one vehicle that come in parts of 50 characters. A text that lost a part is given without it, with a mark in its place: once another text
+ * comes, or nothing more of it for {@value #WAIT_MS} ms. Used by one thread.
+ */
 final class StatusTextParts {
+    /** What is left of a text has come by then, also on a slow link. */
+    static final long WAIT_MS = 2_000;
+
     private static final int PART = 50;
+    private static final String MISSING = " …";
 
     private final TreeMap<Integer, String> parts = new TreeMap<>();
     private int id;
     private TextSeverity severity = TextSeverity.INFO;
+    private long partMs; // when the last part came
 
     /** Takes a message; gives the texts that are whole now, oldest first. */
     List<StatusText> take(Statustext message, long nowMs) {
         List<StatusText> whole = new ArrayList<>();
         if (message.id() == 0) {
-            pending(nowMs).ifPresent(whole::add);
+            incomplete().ifPresent(whole::add);
             whole.add(new StatusText(severity(message), message.text(), nowMs));
             return whole;
         }
         if (message.id() != id) {
-            pending(nowMs).ifPresent(whole::add);
+            incomplete().ifPresent(whole::add);
             id = message.id();
         }
         severity = severity(message);
         parts.put(message.chunkSeq(), message.text());
+        partMs = nowMs;
         if (message.text().length() < PART) {
-            pending(nowMs).ifPresent(whole::add);
+            whole.add(joined(""));
         }
         return whole;
     }
 
-    private Optional<StatusText> pending(long nowMs) {
-        if (parts.isEmpty()) {
-            return Optional.empty();
-        }
+    /** Gives a text whose other parts have not come in time. */
+    Optional<StatusText> overdue(long nowMs) {
+        return nowMs - partMs >= WAIT_MS ? incomplete() : Optional.empty();
+    }
+
+    /** What has come of a text whose end has not. */
+    static String withoutMark(String text) {
+        return text.endsWith(MISSING) ? text.substring(0, text.length() - MISSING.length()) : text;
+    }
+
+    private Optional<StatusText> incomplete() {
+        return parts.isEmpty() ? Optional.empty() : Optional.of(joined(MISSING));
+    }
+
+    private StatusText joined(String end) {
         StringBuilder text = new StringBuilder();
         int expected = 0;
         for (var part : parts.entrySet()) {
             if (part.getKey() != expected) {
-                text.append(" … ");
+                text.append(MISSING).append(' ');
             }
             text.append(part.getValue());
             expected = part.getKey() + 1;
         }
         parts.clear();
         id = 0;
-        return Optional.of(new StatusText(severity, text.toString(), nowMs));
+        return new StatusText(severity, text.append(end).toString(), partMs);
     }
 
     private static TextSeverity severity(Statustext message) {

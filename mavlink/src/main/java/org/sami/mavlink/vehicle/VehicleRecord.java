@@ -121,6 +121,21 @@ final class VehicleRecord {
         return events;
     }
 
+    /** Lets time pass: a text whose other parts have not come is taken as far as it has. */
+    List<VehicleEvent> tick(long nowMs) {
+        List<VehicleEvent> events = new ArrayList<>();
+        parts.forEach((link, open) ->
+                open.overdue(nowMs).filter(text -> !isToldWhole(text)).ifPresent(text -> said(text, link, events)));
+        return events;
+    }
+
+    /** Whether more of a text has come on another link. */
+    private boolean isToldWhole(StatusText cut) {
+        return texts.stream()
+                .anyMatch(told -> cut.heardMs() - told.heardMs() <= RepeatedNews.WITHIN_MS
+                        && told.text().startsWith(StatusTextParts.withoutMark(cut.text())));
+    }
+
     /** Whether it is still what it was taken for. While two vehicles have the id, that is no news. */
     private void compare(List<VehicleEvent> events) {
         if (isTwin()) {

@@ -48,6 +48,13 @@ public final class VehicleTable {
         return events;
     }
 
+    /** Lets time pass. To be called several times a second; returns what has happened to vehicles by that. */
+    public List<VehicleEvent> tick(long nowMs) {
+        return vehicles.values().stream()
+                .flatMap(known -> known.tick(nowMs).stream())
+                .toList();
+    }
+
     private static boolean isVehicle(Heartbeat beat) {
         return beat.autopilot().entry() != MavAutopilot.MAV_AUTOPILOT_INVALID
                 && beat.type().entry() != MavType.MAV_TYPE_GCS;

@@ -342,6 +342,20 @@ class VehicleTableTest {
         assertThat(only().texts().get(0).severity()).isEqualTo(TextSeverity.WARNING);
     }
 
+    @Test
+    void textWhoseEndIsLostIsToldAfterTwoSecondsAsFarAsItHasCome() {
+        String first = "a".repeat(50);
+        heard(beat(MavType.MAV_TYPE_SURFACE_BOAT, MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA, 4));
+        table.heard(new MessageOrigin(CABLE, 1, 1, 0), part(7, 0, first), 5_000);
+
+        assertThat(table.tick(6_900)).isEmpty();
+        assertThat(table.tick(7_000))
+                .containsExactly(new VehicleEvent.Said(
+                        new VehicleId(1, 1), new StatusText(TextSeverity.WARNING, first + " …", 5_000)));
+        assertThat(table.tick(20_000)).isEmpty();
+        assertThat(only().texts()).extracting(StatusText::text).containsExactly(first + " …");
+    }
+
     private static Statustext part(int id, int number, String text) {
         return Statustext.builder()
                 .severity(MavSeverity.MAV_SEVERITY_WARNING)
@@ -564,6 +578,19 @@ class VehicleTableTest {
                 .filteredOn(VehicleEvent.PictureTaken.class::isInstance)
                 .hasSize(1);
         assertThat(events).filteredOn(VehicleEvent.Measured.class::isInstance).hasSize(1);
+    }
+
+    @Test
+    void textWhoseEndIsLostOnOneLinkIsNotToldAgainWhereItCameWholeOnTheOther() {
+        recognized();
+        String first = "x".repeat(50);
+        for (Object message : List.of(part(3, 0, first), part(3, 1, "end"))) {
+            table.heard(new MessageOrigin(CABLE, 1, 1, 0), message, 500);
+        }
+        table.heard(new MessageOrigin(RADIO, 1, 1, 0), part(3, 0, first), 600);
+
+        assertThat(table.tick(5_000)).isEmpty();
+        assertThat(only().texts()).extracting(StatusText::text).containsExactly(first + "end");
     }
 
     @Test
