@@ -150,12 +150,7 @@ public final class MavlinkBase implements AutoCloseable {
         return on(() -> requests.replace(vehicle, kind, copy));
     }
 
-    /** All parameters of a vehicle by their names: those that are kept, or else it is asked. Fails as {@link #held} does. */
-    public CompletableFuture<SortedMap<String, Double>> parameters(VehicleId vehicle) {
-        return on(() -> requests.parameters(vehicle).all(nowMs.getAsLong()));
-    }
-
-    /** The same, but the vehicle is asked in any case. */
+    /** All parameters of a vehicle by their names, as it holds them now. Fails as {@link #held} does. */
     public CompletableFuture<SortedMap<String, Double>> readParameters(VehicleId vehicle) {
         return on(() -> requests.parameters(vehicle).readAll(nowMs.getAsLong()));
     }

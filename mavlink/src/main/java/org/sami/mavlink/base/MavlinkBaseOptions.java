@@ -10,7 +10,7 @@ import org.sami.mavlink.param.ParameterFiles;
 /**
  * What a base does beyond listening and commanding.
  *
- * @param parameters where the parameters of vehicles are kept; empty where they are read from each vehicle each time
+ * @param parameters where the parameters that were read are kept for people; empty where they are not. Nothing here goes by them
  * @param signing how messages are signed, and which are refused; empty where none are signed and all are taken
  * @param marks gives each base the number by which it knows its own heartbeats
  */

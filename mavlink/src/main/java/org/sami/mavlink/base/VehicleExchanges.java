@@ -19,11 +19,8 @@ final class VehicleExchanges {
     VehicleExchanges(VehicleId vehicle, Optional<ParameterFiles> files, Consumer<Object> send) {
         commands = new PendingCommands(vehicle, send);
         lists = new HeldLists(vehicle, send);
-        parameters = new VehicleParameters(
-                vehicle,
-                files.flatMap(kept -> kept.load(vehicle)),
-                values -> files.ifPresent(kept -> kept.keep(vehicle, values)),
-                send);
+        parameters =
+                new VehicleParameters(vehicle, values -> files.ifPresent(kept -> kept.keep(vehicle, values)), send);
     }
 
     PendingCommands commands() {

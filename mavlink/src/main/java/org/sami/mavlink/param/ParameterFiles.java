@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.time.Instant;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
@@ -14,7 +15,7 @@ import org.sami.mavlink.vehicle.VehicleId;
 
 /**
  * Parameters in files, one for each vehicle: {@code vehicle-3.parm} with a line {@code NAME VALUE} for each, as ground stations and ArduPilot's simulator read
- * them. A file that cannot be read completely is ignored, and the vehicle is asked. For one thread at a time.
+ * them. A file that cannot be read completely is ignored. For one thread at a time.
  */
 public record ParameterFiles(Path folder) {
     /** Files in a folder, which is made when the first is written. */
@@ -27,7 +28,7 @@ public record ParameterFiles(Path folder) {
     }
 
     /** What is kept of a vehicle. */
-    public Optional<SortedMap<String, Double>> load(VehicleId vehicle) {
+    public Optional<KeptParameters> load(VehicleId vehicle) {
         try {
             SortedMap<String, Double> values = new TreeMap<>();
             for (String line : Files.readAllLines(file(vehicle))) {
@@ -37,7 +38,8 @@ public record ParameterFiles(Path folder) {
                 }
                 values.put(words[0], Double.valueOf(words[1]));
             }
-            return values.isEmpty() ? Optional.empty() : Optional.of(values);
+            Instant since = Files.getLastModifiedTime(file(vehicle)).toInstant();
+            return values.isEmpty() ? Optional.empty() : Optional.of(new KeptParameters(since, values));
         } catch (IOException | NumberFormatException e) {
             return Optional.empty();
         }
@@ -61,7 +63,7 @@ public record ParameterFiles(Path folder) {
         }
     }
 
-    private static String written(double value) {
+    static String written(double value) {
         return value == Math.rint(value) && Math.abs(value) < 1e15
                 ? Long.toString((long) value)
                 : Float.toString((float) value);

@@ -11,13 +11,13 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.sami.mavlink.vehicle.VehicleId;
 
-/** The parameters of one vehicle: those that were read or kept, and what is being read or set. Used by one thread. */
+/** The parameters of one vehicle: those that were read, and what is being read or set. Used by one thread. */
 public final class VehicleParameters {
     private final VehicleId vehicle;
     private final Consumer<Object> send;
     private final Consumer<SortedMap<String, Double>> keep;
     private final TreeMap<String, Exchange> exchanges = new TreeMap<>();
-    private Optional<SortedMap<String, Double>> known;
+    private Optional<SortedMap<String, Double>> known = Optional.empty();
     private Optional<Reading> reading = Optional.empty();
 
     private record Exchange(ParameterExchange exchange, CompletableFuture<Double> result) {}
@@ -27,28 +27,16 @@ public final class VehicleParameters {
     /**
      * Parameters.
      *
-     * @param kept what was kept of an earlier time; empty where nothing was
      * @param keep receives all values each time that they are read or one changes
      * @param send sends a message of the library to the vehicle; may lose it
      */
-    public VehicleParameters(
-            VehicleId vehicle,
-            Optional<SortedMap<String, Double>> kept,
-            Consumer<SortedMap<String, Double>> keep,
-            Consumer<Object> send) {
+    public VehicleParameters(VehicleId vehicle, Consumer<SortedMap<String, Double>> keep, Consumer<Object> send) {
         this.vehicle = Objects.requireNonNull(vehicle, "vehicle");
-        this.known = kept.map(TreeMap::new);
         this.keep = Objects.requireNonNull(keep, "keep");
         this.send = Objects.requireNonNull(send, "send");
     }
 
-    /** Gives all parameters: those that are known, or else reads them. */
-    public CompletableFuture<SortedMap<String, Double>> all(long nowMs) {
-        return known.map(values -> CompletableFuture.<SortedMap<String, Double>>completedFuture(new TreeMap<>(values)))
-                .orElseGet(() -> readAll(nowMs));
-    }
-
-    /** Reads all parameters of the vehicle, also where they are known. */
+    /** Reads all parameters of the vehicle; fails as {@link #read} does. */
     public CompletableFuture<SortedMap<String, Double>> readAll(long nowMs) {
         if (reading.isEmpty()) {
             Reading begun = new Reading(new ParameterRead(vehicle, send), new CompletableFuture<>());

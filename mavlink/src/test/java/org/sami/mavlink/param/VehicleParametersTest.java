@@ -8,11 +8,12 @@ import io.dronefleet.mavlink.common.ParamSet;
 import io.dronefleet.mavlink.common.ParamValue;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
@@ -32,7 +33,6 @@ class VehicleParametersTest {
     private static final String FIXED = "P007";
 
     private final TreeMap<String, Float> held = new TreeMap<>();
-    private final List<Object> sent = new ArrayList<>();
     private final List<SortedMap<String, Double>> kept = new ArrayList<>();
     private BadRadio<Object> up = new BadRadio<>(1, 0, 0, 5, 0);
     private BadRadio<Object> down = new BadRadio<>(2, 0, 0, 5, 0);
@@ -42,11 +42,8 @@ class VehicleParametersTest {
         IntStream.range(0, MANY).forEach(i -> held.put(String.format("P%03d", i), i * 0.5f));
     }
 
-    private VehicleParameters parameters(Optional<SortedMap<String, Double>> known) {
-        return new VehicleParameters(VEHICLE, known, kept::add, message -> {
-            sent.add(message);
-            up.send(message, nowMs);
-        });
+    private VehicleParameters parameters() {
+        return new VehicleParameters(VEHICLE, kept::add, message -> up.send(message, nowMs));
     }
 
     private void vehicle(Object message, Consumer<Object> send) {
@@ -90,20 +87,18 @@ class VehicleParametersTest {
     void allAreReadAndKept(double loss) {
         up = new BadRadio<>(1, loss, loss, 5, 20);
         down = new BadRadio<>(2, loss, loss, 5, 20);
-        VehicleParameters parameters = parameters(Optional.empty());
-        var result = parameters.all(nowMs);
+        VehicleParameters parameters = parameters();
+        var result = parameters.readAll(nowMs);
         passUntilDone(parameters, result);
 
         assertThat(result.join()).hasSize(MANY).containsEntry("P299", 149.5);
         assertThat(kept).containsExactly(result.join());
-        sent.clear();
-        assertThat(parameters.all(nowMs)).isCompletedWithValue(result.join());
-        assertThat(sent).isEmpty();
     }
 
     @Test
     void oneIsSetReadBackAndKept() {
-        VehicleParameters parameters = parameters(Optional.of(new TreeMap<>(Map.of("P001", 0.5))));
+        VehicleParameters parameters = parameters();
+        passUntilDone(parameters, parameters.readAll(nowMs));
         up = new BadRadio<>(7, 0.4, 0, 5, 20);
         var result = parameters.set("P001", 0.1, nowMs);
         passUntilDone(parameters, result);
@@ -115,7 +110,7 @@ class VehicleParametersTest {
 
     @Test
     void valueThatTheVehicleDoesNotTakeIsNamed() {
-        VehicleParameters parameters = parameters(Optional.empty());
+        VehicleParameters parameters = parameters();
         var result = parameters.set(FIXED, 9, nowMs);
         passUntilDone(parameters, result);
 
@@ -127,7 +122,7 @@ class VehicleParametersTest {
 
     @Test
     void parameterThatItDoesNotHaveIsNamed() {
-        VehicleParameters parameters = parameters(Optional.empty());
+        VehicleParameters parameters = parameters();
         var result = parameters.read("NOTHING", nowMs);
         passUntilDone(parameters, result);
 
@@ -141,11 +136,8 @@ class VehicleParametersTest {
     void valuesThatCannotBeKeptAreSaidAndStopNothing(@TempDir Path folder) throws Exception {
         ParameterFiles files = new ParameterFiles(Files.writeString(folder.resolve("file"), ""));
         VehicleParameters parameters = new VehicleParameters(
-                VEHICLE,
-                files.load(VEHICLE),
-                values -> files.keep(VEHICLE, values),
-                message -> up.send(message, nowMs));
-        var result = parameters.all(nowMs);
+                VEHICLE, values -> files.keep(VEHICLE, values), message -> up.send(message, nowMs));
+        var result = parameters.readAll(nowMs);
         passUntilDone(parameters, result);
 
         assertThat(result).failsWithin(Duration.ZERO).withThrowableThat().withMessageContaining("cannot be kept");
@@ -160,11 +152,47 @@ class VehicleParametersTest {
         SortedMap<String, Double> values = new TreeMap<>(Map.of("WP_SPEED", 1.5, "FS_GCS_ENABLE", 0.0));
         files.keep(VEHICLE, values);
 
-        assertThat(files.load(VEHICLE)).contains(values);
+        assertThat(files.load(VEHICLE)).map(KeptParameters::values).contains(values);
         assertThat(files.load(new VehicleId(4, 1))).isEmpty();
         assertThat(Files.readString(folder.resolve("parameters/vehicle-3.parm")))
                 .isEqualTo(String.format("FS_GCS_ENABLE 0%nWP_SPEED 1.5%n"));
         Files.writeString(folder.resolve("parameters/vehicle-3.parm"), "WP_SPEED 1.5\nFS_GCS");
         assertThat(files.load(VEHICLE)).isEmpty();
+    }
+
+    @Test
+    void whatHasChangedSinceItWasKeptIsSaidWithoutTheCountersOfTheAutopilot(@TempDir Path folder) throws Exception {
+        ParameterFiles files = new ParameterFiles(folder);
+        files.keep(
+                VEHICLE,
+                new TreeMap<>(Map.of(
+                        "FENCE_ENABLE",
+                        1.0,
+                        "OLD",
+                        2.0,
+                        "STAT_BOOTCNT",
+                        7.0,
+                        "WP_RADIUS",
+                        (double) 0.1f,
+                        "ZERO",
+                        0.0)));
+        Instant since = Instant.parse("2026-11-30T10:02:00Z");
+        Files.setLastModifiedTime(folder.resolve("vehicle-3.parm"), FileTime.from(since));
+
+        KeptParameters kept = files.load(VEHICLE).orElseThrow();
+
+        assertThat(kept.since()).isEqualTo(since);
+        assertThat(kept.changes(new TreeMap<>(Map.of(
+                        "FENCE_ENABLE",
+                        0.0,
+                        "NEW",
+                        0.5,
+                        "STAT_BOOTCNT",
+                        8.0,
+                        "WP_RADIUS",
+                        (double) 0.1f,
+                        "ZERO",
+                        -0.0))))
+                .containsExactly("FENCE_ENABLE 1 → 0", "NEW not there → 0.5", "OLD 2 → not there");
     }
 }

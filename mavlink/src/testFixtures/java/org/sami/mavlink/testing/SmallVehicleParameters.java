@@ -1,13 +1,16 @@
 package org.sami.mavlink.testing;
 
 import io.dronefleet.mavlink.common.MavParamType;
+import io.dronefleet.mavlink.common.ParamRequestList;
 import io.dronefleet.mavlink.common.ParamRequestRead;
 import io.dronefleet.mavlink.common.ParamSet;
 import io.dronefleet.mavlink.common.ParamValue;
-import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 
 /** The parameters of a small vehicle, and how they are read and set. For one thread at a time. */
@@ -15,12 +18,12 @@ final class SmallVehicleParameters {
     /** The parameter with the kind of its camera; 0 for none. */
     static final String CAMERA = "CAM1_TYPE";
 
-    private final Map<String, Float> values;
+    private final SortedMap<String, Float> values;
     private final Set<String> asked = new HashSet<>();
     private final Consumer<Object> send;
 
     private SmallVehicleParameters(Map<String, Float> values, Consumer<Object> send) {
-        this.values = new HashMap<>(values);
+        this.values = new TreeMap<>(values);
         this.send = send;
     }
 
@@ -75,8 +78,13 @@ final class SmallVehicleParameters {
     /** Receives a message; false where it is not about parameters. */
     boolean take(Object message) {
         if (message instanceof ParamRequestRead request) {
-            asked.add(request.paramId());
-            report(request.paramId());
+            String name = request.paramIndex() < 0
+                    ? request.paramId()
+                    : List.copyOf(values.keySet()).get(request.paramIndex());
+            asked.add(name);
+            report(name);
+        } else if (message instanceof ParamRequestList) {
+            List.copyOf(values.keySet()).forEach(this::report);
         } else if (message instanceof ParamSet set) {
             values.put(set.paramId(), set.paramValue());
             report(set.paramId());
@@ -93,6 +101,7 @@ final class SmallVehicleParameters {
                     .paramValue(values.get(name))
                     .paramType(MavParamType.MAV_PARAM_TYPE_REAL32)
                     .paramCount(values.size())
+                    .paramIndex(values.headMap(name).size())
                     .build());
         }
     }

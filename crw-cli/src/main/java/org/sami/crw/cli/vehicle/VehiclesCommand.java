@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.time.ZoneId;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
@@ -28,6 +29,7 @@ import org.sami.mavlink.link.LinkSigning;
 import org.sami.mavlink.link.MavlinkLinkReport;
 import org.sami.mavlink.link.SigningKey;
 import org.sami.mavlink.mission.HeldKind;
+import org.sami.mavlink.param.KeptParameters;
 import org.sami.mavlink.param.ParameterFiles;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 import picocli.CommandLine.Command;
@@ -99,7 +101,9 @@ public final class VehiclesCommand implements Callable<Integer> {
     @Option(
             names = "--parameters",
             paramLabel = "DIR",
-            description = "Also read all parameters of each vehicle and keep them in a file of this folder.")
+            description =
+                    "Also read all parameters of each vehicle, print which have changed since they were kept last,"
+                            + " and keep them in a file of this folder.")
     private @Nullable Path parameters;
 
     @Option(
@@ -169,9 +173,10 @@ public final class VehiclesCommand implements Callable<Integer> {
         boolean whole = true;
         for (VehicleSnapshot vehicle : vehicles) {
             try {
+                Optional<KeptParameters> before = new ParameterFiles(folder).load(vehicle.id());
                 SortedMap<String, Double> values =
                         base.readParameters(vehicle.id()).join();
-                out.println(vehicle.id() + " has " + values.size() + " parameters, kept in " + folder);
+                out.print(ParameterText.of(vehicle.id(), values, before, folder, ZoneId.systemDefault()));
             } catch (CompletionException e) {
                 Throwable cause = e.getCause();
                 err(cause == null ? e.toString() : String.valueOf(cause.getMessage()));

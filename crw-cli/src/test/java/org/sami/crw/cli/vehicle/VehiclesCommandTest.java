@@ -2,8 +2,10 @@ package org.sami.crw.cli.vehicle;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.sami.crw.cli.CommandResult;
 import org.sami.mavlink.testing.SmallBoat;
 import org.sami.mavlink.testing.SmallVehicle;
@@ -44,6 +46,28 @@ class VehiclesCommandTest {
                     .anyMatch(line -> line.startsWith("5 ") && line.contains("plane"))
                     .contains("vehicle 5 is a plane, and here only surface boats and copters are commanded: give the"
                             + " address or number of one of these");
+        }
+    }
+
+    @Test
+    void parametersThatHaveChangedSinceTheyWereKeptLastAreListed(@TempDir Path folder) throws Exception {
+        try (SmallBoat vehicle = new SmallBoat(5, 45.7, 10.72, 1)) {
+            vehicle.parameter("FENCE_ENABLE", 1);
+            String[] read = {"vehicles", "--for", "3", "--parameters", folder.toString(), vehicle.address()};
+            assertThat(CommandResult.crw(read).out())
+                    .contains("5 has ")
+                    .contains(" parameters, kept in " + folder)
+                    .doesNotContain("changed");
+            assertThat(CommandResult.crw(read).out()).contains("5: none has changed since 20");
+
+            vehicle.parameter("FENCE_ENABLE", 0);
+            CommandResult ran = CommandResult.crw(read);
+
+            assertThat(ran.exitCode()).as(ran.out() + ran.err()).isZero();
+            assertThat(ran.out().lines())
+                    .anyMatch(line -> line.matches("5: changed since 20[0-9-]+ [0-9]{2}:[0-9]{2}:"))
+                    .contains("  FENCE_ENABLE 1 → 0");
+            assertThat(CommandResult.crw(read).out()).contains("5: none has changed since 20");
         }
     }
 
