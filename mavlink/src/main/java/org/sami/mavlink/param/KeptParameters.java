@@ -34,6 +34,13 @@ public record KeptParameters(Instant since, SortedMap<String, Double> values) {
     }
 
     private static String text(@Nullable Double value) {
-        return value == null ? "not there" : ParameterFiles.written(value);
+        return value == null ? "not there" : written(value);
+    }
+
+    /** A value as it stands in a file. */
+    static String written(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e15
+                ? Long.toString((long) value)
+                : Float.toString((float) value);
     }
 }

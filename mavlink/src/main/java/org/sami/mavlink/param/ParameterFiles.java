@@ -52,7 +52,8 @@ public record ParameterFiles(Path folder) {
      */
     public void keep(VehicleId vehicle, SortedMap<String, Double> values) {
         StringBuilder text = new StringBuilder();
-        values.forEach((name, value) -> text.append(String.format(Locale.ROOT, "%s %s%n", name, written(value))));
+        values.forEach((name, value) ->
+                text.append(String.format(Locale.ROOT, "%s %s%n", name, KeptParameters.written(value))));
         try {
             Files.createDirectories(folder);
             Path whole = folder.resolve("vehicle-" + vehicle + ".parm.new");
@@ -61,11 +62,5 @@ public record ParameterFiles(Path folder) {
         } catch (IOException e) {
             throw new UncheckedIOException(file(vehicle) + " cannot be written", e);
         }
-    }
-
-    static String written(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e15
-                ? Long.toString((long) value)
-                : Float.toString((float) value);
     }
 }
