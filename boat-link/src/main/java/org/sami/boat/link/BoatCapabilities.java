@@ -25,6 +25,9 @@ public final class BoatCapabilities {
     /** Ways home around what it is to avoid, as {@link SetWaysHome} sets them. */
     public static final String WAYS_HOME = SetWaysHome.TYPE;
 
+    /** Reports of its charge in percent; no command. A boat that cannot reports at most that its battery is critical. */
+    public static final String CHARGE = BatteryReport.TYPE;
+
     /** Most channels that are said. */
     public static final int MOST_CHANNELS = 64;
 
@@ -40,7 +43,7 @@ public final class BoatCapabilities {
     /**
      * Makes one of checked values; a value out of its range is an {@link IllegalArgumentException}.
      *
-     * @param cannot the types of the commands that the boat always refuses, each with the reason in words; at most 32
+     * @param cannot the types of the commands that the boat always refuses, and {@link #CHARGE}, each with the reason in words; at most 32
      * @param measures the channels that it measures, each as {@code sensor/channel}, at most 64; empty where it does not say
      */
     public BoatCapabilities(Map<String, String> cannot, Optional<List<String>> measures) {
@@ -82,7 +85,7 @@ public final class BoatCapabilities {
         return channels;
     }
 
-    /** The types of the commands that the boat always refuses, each with the reason in words. */
+    /** The types of the commands that the boat always refuses, and {@link #CHARGE} of one that reports none, each with the reason in words. */
     public Map<String, String> cannot() {
         return cannot;
     }

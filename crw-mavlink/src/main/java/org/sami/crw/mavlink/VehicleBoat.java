@@ -55,6 +55,7 @@ final class VehicleBoat implements BaseSession.Boat {
     private final VehicleAvoidance avoidance;
     private final VehicleCamera camera;
     private final VehicleFiles files;
+    private final VehicleCharge charge = new VehicleCharge();
     private final VehicleSensors sensors = new VehicleSensors();
     private final VehicleTargets targets;
     private final OtherController others;
@@ -80,6 +81,7 @@ final class VehicleBoat implements BaseSession.Boat {
         name = "mav" + first.id();
         targets = new VehicleTargets(seen);
         vehicle = first;
+        charge.reported(first);
         texts = new VehicleTexts(name);
         start = new ForeignStart(name, first.armed());
         kind = first.kind();
@@ -175,6 +177,7 @@ final class VehicleBoat implements BaseSession.Boat {
         Map<String, String> cannot = new TreeMap<>();
         cannot.put(BoatCapabilities.GAINS, "its gains are parameters of its autopilot");
         cannot.put(BoatCapabilities.WAYS_HOME, "its autopilot comes home straight, or the way that it came");
+        charge.unknown().ifPresent(why -> cannot.put(BoatCapabilities.CHARGE, why));
         camera.missing().ifPresent(why -> cannot.put(BoatCapabilities.PANORAMA, why));
         return cannot;
     }
@@ -251,7 +254,8 @@ final class VehicleBoat implements BaseSession.Boat {
         fence.inForce(now.health().fenceOn());
         others.reported(vehicle, now, atMs);
         vehicle = now;
-        if (performance.reported(now)) {
+        boolean isChargeNews = charge.reported(now);
+        if (performance.reported(now) || isChargeNews) {
             reportSettings();
         }
         boolean isTheirs = session.filter(told -> !told.takenBy().isEmpty()).isPresent();
@@ -404,7 +408,7 @@ final class VehicleBoat implements BaseSession.Boat {
                         .filter(at -> at.heardMs() > positionMs)
                         .isPresent(); // an old position is not repeated as a new one
         if (moved && atMs - saidMs >= told.telemetryPeriodMs() - TICK_MS) {
-            VehicleReports.telemetry(vehicle, orders.mode(), orders.givesWayTo(), Math.max(0, atMs))
+            VehicleReports.telemetry(vehicle, charge.percent(), orders.mode(), orders.givesWayTo(), Math.max(0, atMs))
                     .ifPresent(telemetry -> {
                         saidMs = atMs;
                         positionMs = vehicle.position().orElseThrow().heardMs();
@@ -437,7 +441,7 @@ final class VehicleBoat implements BaseSession.Boat {
     }
 
     private void reportBattery(BaseSession told, long atMs) {
-        Optional<BatteryReport> now = VehicleReports.battery(vehicle, others.isBatteryFailsafe(vehicle, atMs));
+        Optional<BatteryReport> now = charge.report(others.isBatteryFailsafe(vehicle, atMs));
         boolean another = !now.map(BatteryReport::level).equals(battery.map(BatteryReport::level));
         if (now.isPresent() && (another || atMs - batteryMs >= BATTERY_MS)) {
             batteryMs = atMs;
@@ -477,8 +481,7 @@ final class VehicleBoat implements BaseSession.Boat {
 
     @Override
     public void introduce() {
-        VehicleReports.battery(vehicle, others.isBatteryFailsafe(vehicle, tickMs))
-                .ifPresent(this::broadcast);
+        charge.report(others.isBatteryFailsafe(vehicle, tickMs)).ifPresent(this::broadcast);
         broadcast(orders.settings());
         Progress progress = orders.progress();
         broadcast(progress);

@@ -3,14 +3,10 @@ package org.sami.crw.mavlink;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.sami.boat.link.BatteryDefaults;
-import org.sami.boat.link.BatteryLevel;
-import org.sami.boat.link.BatteryReport;
 import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.Motion;
 import org.sami.boat.link.SensorReport;
 import org.sami.boat.link.Telemetry;
-import org.sami.mavlink.vehicle.VehicleBattery;
 import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleKind;
 import org.sami.mavlink.vehicle.VehiclePosition;
@@ -19,7 +15,6 @@ import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 /** What a vehicle reports, as boats say it. */
 final class VehicleReports {
-    private static final double FULL = 100;
     private static final double MOST_MPS = 50; // what a message of the link carries, and faster than any boat
     private static final String SENSOR = "autopilot";
 
@@ -28,16 +23,18 @@ final class VehicleReports {
     /**
      * Where it is and how it moves; none as long as it says no position that can be trusted.
      *
+     * @param percent its charge
      * @param givesWayTo the boat to which it gives way; empty text for none
      */
-    static Optional<Telemetry> telemetry(VehicleSnapshot vehicle, BoatMode mode, String givesWayTo, long nowMs) {
+    static Optional<Telemetry> telemetry(
+            VehicleSnapshot vehicle, double percent, BoatMode mode, String givesWayTo, long nowMs) {
         return place(vehicle)
                 .map(at -> new Telemetry(
                         at.latDeg(),
                         at.lonDeg(),
                         Math.toRadians(at.headingDeg().orElse(0.0)),
                         at.speedMps(),
-                        percent(vehicle).orElse(FULL), // read only where a battery report has come
+                        percent,
                         mode,
                         nowMs,
                         altitude(vehicle, at),
@@ -62,21 +59,6 @@ final class VehicleReports {
     /** Where it is; none where its filter does not trust it, or where it says a speed that no boat has. */
     private static Optional<VehiclePosition> place(VehicleSnapshot vehicle) {
         return vehicle.position().filter(at -> vehicle.located() && at.speedMps() <= MOST_MPS);
-    }
-
-    private static Optional<Double> percent(VehicleSnapshot vehicle) {
-        return vehicle.battery().flatMap(VehicleBattery::percent).map(Integer::doubleValue);
-    }
-
-    /** Its charge; none where the autopilot does not compute it. In a battery failsafe it is critical, whatever the number. */
-    static Optional<BatteryReport> battery(VehicleSnapshot vehicle, boolean failsafe) {
-        return percent(vehicle)
-                .map(percent -> new BatteryReport(
-                        percent,
-                        failsafe
-                                ? BatteryLevel.CRITICAL
-                                : BatteryLevel.of(
-                                        percent, BatteryDefaults.LOW_PERCENT, BatteryDefaults.CRITICAL_PERCENT)));
     }
 
     /** A value of a sensor, where the vehicle is now. */

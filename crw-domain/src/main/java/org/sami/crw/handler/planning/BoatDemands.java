@@ -8,6 +8,7 @@ import java.util.TreeSet;
 import org.sami.boat.link.BoatCapabilities;
 import org.sami.crw.handler.boat.SetGainsHandler;
 import org.sami.crw.handler.motion.PanoramaHandler;
+import org.sami.crw.handler.subscription.BatterySubscriptions;
 import org.sami.crw.handler.subscription.MeasurementHandler;
 import org.sami.spn.value.TextValue;
 import org.sami.spn.value.Value;
@@ -33,15 +34,27 @@ public final class BoatDemands {
         /** Gains that the base sets. */
         GAINS,
         /** Reports of what a detector on board sees. */
-        TARGETS
+        TARGETS,
+        /** Reports of its charge. */
+        CHARGE
     }
 
     private static final String TARGET = "target"; // the channel of such reports
 
     private static final Map<String, String> WORDS = Map.of(
-            BoatCapabilities.PANORAMA, "take pictures all round", BoatCapabilities.GAINS, "take gains from here");
-    private static final Map<String, Demand> BY_EVENT =
-            Map.of(PanoramaHandler.TYPE, Demand.PANORAMA, SetGainsHandler.TYPE, Demand.GAINS);
+            BoatCapabilities.PANORAMA,
+            "take pictures all round",
+            BoatCapabilities.GAINS,
+            "take gains from here",
+            BoatCapabilities.CHARGE,
+            "report its charge");
+    private static final Map<String, Demand> BY_EVENT = Map.of(
+            PanoramaHandler.TYPE,
+            Demand.PANORAMA,
+            SetGainsHandler.TYPE,
+            Demand.GAINS,
+            BatterySubscriptions.TYPE,
+            Demand.CHARGE);
 
     private BoatDemands() {}
 
@@ -67,6 +80,7 @@ public final class BoatDemands {
             case PANORAMA -> cannot(robotCan, BoatCapabilities.PANORAMA);
             case GAINS -> cannot(robotCan, BoatCapabilities.GAINS);
             case TARGETS -> seesNone(robotCan);
+            case CHARGE -> cannot(robotCan, BoatCapabilities.CHARGE);
         };
         return why.map(text -> robot + " " + text);
     }

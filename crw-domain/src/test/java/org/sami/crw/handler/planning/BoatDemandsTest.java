@@ -32,6 +32,17 @@ class BoatDemandsTest {
     }
 
     @Test
+    void boatThatReportsNoChargeCannotHaveItsChargeWatched() {
+        BoatCapabilities unmeasured =
+                new BoatCapabilities(Map.of("battery", "it has no current sensor"), Optional.empty());
+
+        assertThat(BoatDemands.missing("mav1", unmeasured, "BatteryLevelSubscription", Map.of()))
+                .contains("mav1 cannot report its charge: it has no current sensor");
+        assertThat(BoatDemands.missing("mav1", BLIND, "BatteryLevelSubscription", Map.of()))
+                .isEmpty();
+    }
+
+    @Test
     void boatThatSaysNothingIsTakenToBeAble() {
         assertThat(BoatDemands.missing("anna", BoatCapabilities.UNKNOWN, "TakePanorama", Map.of()))
                 .isEmpty();

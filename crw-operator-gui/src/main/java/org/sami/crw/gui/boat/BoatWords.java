@@ -1,9 +1,11 @@
 package org.sami.crw.gui.boat;
 
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalLong;
 import org.sami.boat.link.BatteryLevel;
 import org.sami.boat.link.LinkDefaults;
+import org.sami.crw.operator.alarm.UnknownCharge;
 import org.sami.crw.operator.boat.Age;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.BoatExplanation;
@@ -62,8 +64,12 @@ public final class BoatWords {
         return state(boat).replaceFirst(", \\d+ of \\d+ points visited", "").replaceAll("for mission \\d+, ", "for ");
     }
 
-    /** Its charge in percent. */
+    /** Its charge in percent, or in a word where it reports none. */
     public static String battery(BoatSnapshot boat) {
+        Optional<String> word = UnknownCharge.word(boat);
+        if (word.isPresent()) {
+            return word.get();
+        }
         return boat.battery()
                 .map(battery -> String.format(Locale.ROOT, "%.0f %%", battery.percent()))
                 .orElse(UNKNOWN);

@@ -10,6 +10,7 @@ import org.sami.crw.operator.alarm.Alarm.Kind;
 import org.sami.crw.operator.boat.BoatSnapshot;
 import org.sami.crw.proxy.explanation.BoatExplanation.Cause;
 import org.sami.crw.proxy.queue.CommandQueueSnapshot;
+import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.proxy.status.BoatReading;
 import org.sami.crw.proxy.status.LinkState;
@@ -73,11 +74,17 @@ public final class BoatAlarms {
     private static Optional<String> battery(BoatSnapshot boat, BatteryLevel level, String word) {
         return boat.battery()
                 .filter(battery -> battery.level() == level)
-                .map(battery -> "The battery of " + boat.boat() + " is " + word + ": "
-                        + Math.round(battery.percent()) + " %"
-                        + RangeCheck.rangeM(boat)
-                                .map(rangeM -> ", for about " + Math.round(rangeM / 100) * 100 + " m")
-                                .orElse(""));
+                .map(battery -> "The battery of " + boat.boat() + " is " + word
+                        + (UnknownCharge.why(boat).isPresent()
+                                ? " by its autopilot's own limits"
+                                : charge(boat, battery)));
+    }
+
+    private static String charge(BoatSnapshot boat, BatteryState battery) {
+        return ": " + Math.round(battery.percent()) + " %"
+                + RangeCheck.rangeM(boat)
+                        .map(rangeM -> ", for about " + Math.round(rangeM / 100) * 100 + " m")
+                        .orElse("");
     }
 
     /**

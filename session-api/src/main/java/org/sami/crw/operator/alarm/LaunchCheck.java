@@ -265,6 +265,12 @@ public record LaunchCheck(List<Item> items) {
     }
 
     private static Item battery(BoatSnapshot boat) {
+        Optional<String> unknown = UnknownCharge.why(boat);
+        if (unknown.isPresent()) {
+            return UnknownCharge.isCritical(boat)
+                    ? new Item(Subject.BATTERY, State.BAD, "critical: put a full one in")
+                    : new Item(Subject.BATTERY, State.DOUBTFUL, "of unknown charge: " + unknown.get());
+        }
         return boat.battery()
                 .map(battery -> {
                     String percent = String.format(Locale.ROOT, "%.0f %%", battery.percent());

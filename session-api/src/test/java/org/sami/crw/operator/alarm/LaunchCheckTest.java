@@ -314,6 +314,26 @@ class LaunchCheckTest {
                 .isEqualTo("ready");
     }
 
+    @Test
+    void vehicleThatReportsNoChargeIsReadyWithADoubtUntilItsBatteryIsCritical() {
+        Optional<BoatTuning> unmeasured = Optional.of(new BoatTuning(
+                GAINS,
+                GAINS,
+                1,
+                LostLinkAction.HOLD,
+                Optional.empty(),
+                new BoatCapabilities(Map.of(BoatCapabilities.CHARGE, "it has no current sensor"), Optional.empty()),
+                BoatPerformance.UNKNOWN));
+
+        LaunchCheck before =
+                LaunchCheck.of(boat(NOW, 100, BatteryLevel.NOMINAL, unmeasured), OptionalDouble.of(0.5), FACTS);
+        LaunchCheck after =
+                LaunchCheck.of(boat(NOW, 0, BatteryLevel.CRITICAL, unmeasured), OptionalDouble.of(0.5), FACTS);
+
+        assertThat(before.words()).isEqualTo("ready; battery of unknown charge: it has no current sensor");
+        assertThat(after.words()).isEqualTo("battery critical: put a full one in");
+    }
+
     private static LaunchFacts facts(RobotKind robots, Optional<LostLinkAction> wish) {
         return new LaunchFacts(robots, List.of(), List.of(), wish, NOW);
     }
