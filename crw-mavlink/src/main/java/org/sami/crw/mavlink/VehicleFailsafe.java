@@ -14,13 +14,14 @@ import org.sami.mavlink.vehicle.VehicleId;
  *
  * <p>Source: ArduPilot's parameters {@code FS_GCS_ENABLE} (0 off, 1 on, 2 on but not in AUTO) and {@code FS_ACTION} (0 nothing, 1 RTL, 2 hold, 3 and 4 smart
  * RTL: back along the way that it came, 3 straight home where it does not know that, 5 end, 6 keep the place or hold). Copters have {@code FS_GCS_ENABLE} alone (0 off,
- * 1 RTL, 3 and 4 smart RTL, 5 land, 6 land or RTL, 7 brake or land). {@code FS_GCS_TIMEOUT} is after how many seconds; the ground station is the one of the system id
+ * 1 RTL, 3 and 4 smart RTL, 5 land, 6 land or RTL, 7 brake or land), and with bit 1 of {@code FS_OPTIONS} they go on in AUTO whatever that says. {@code FS_GCS_TIMEOUT} is after how many seconds; the ground station is the one of the system id
  * {@code MAV_GCS_SYSID}, in earlier firmware {@code SYSID_MYGCS}. A vehicle that holds rally points ({@code RALLY_TOTAL}) returns to the nearest of them and of its
  * home, but where it goes back the way that it came.
  */
 final class VehicleFailsafe {
     private static final String ENABLE = "FS_GCS_ENABLE";
     private static final String ACTION = "FS_ACTION";
+    private static final String OPTIONS = "FS_OPTIONS"; // of copters; boats have other bits there
     private static final String TIMEOUT = "FS_GCS_TIMEOUT";
     private static final String STATION = "MAV_GCS_SYSID";
     private static final String EARLIER_STATION = "SYSID_MYGCS";
@@ -35,6 +36,7 @@ final class VehicleFailsafe {
     private static final int KEEPS_PLACE = 6;
     private static final int COPTER_LANDS = 5;
     private static final int COPTER_BRAKES = 7;
+    private static final int COPTER_GOES_ON_IN_AUTO = 2; // of FS_OPTIONS
 
     private final MavlinkBase base;
     private final VehicleId id;
@@ -45,6 +47,7 @@ final class VehicleFailsafe {
     private final WatchedParameters watched;
     private Optional<Integer> enable = Optional.empty();
     private Optional<Integer> action = Optional.empty(); // of boats
+    private Optional<Integer> options = Optional.empty(); // of copters, in firmware that has them
     private Optional<Double> timeoutS = Optional.empty();
     private Optional<Integer> station = Optional.empty();
     private String stationName = STATION;
@@ -101,6 +104,7 @@ final class VehicleFailsafe {
                 readAction(why -> watched.resume());
             }
             case ACTION -> action = Optional.of(whole(value));
+            case OPTIONS -> options = Optional.of(whole(value));
             case TIMEOUT -> timeoutS = Optional.of(value);
             case RALLY_POINTS -> rallyPoints = whole(value);
             default -> heeds(name, value);
@@ -132,10 +136,12 @@ final class VehicleFailsafe {
                 thread,
                 failsafe -> {
                     watched.holds(ENABLE, failsafe);
-                    if (flies || whole(failsafe) == OFF) {
+                    if (whole(failsafe) == OFF) {
                         enable = Optional.of(whole(failsafe));
                         changed.run();
                         ended.accept(Optional.empty());
+                    } else if (flies) {
+                        readOptions(failsafe, ended);
                     } else {
                         readAction(failsafe, ended);
                     }
@@ -155,6 +161,24 @@ final class VehicleFailsafe {
                     ended.accept(Optional.empty());
                 },
                 why -> ended.accept(Optional.of(why)));
+    }
+
+    private void readOptions(double failsafe, Consumer<Optional<String>> ended) {
+        Results.when(
+                base.parameter(id, OPTIONS),
+                thread,
+                number -> {
+                    watched.holds(OPTIONS, number);
+                    options = Optional.of(whole(number));
+                    enable = Optional.of(whole(failsafe));
+                    changed.run();
+                    ended.accept(Optional.empty());
+                },
+                why -> { // earlier firmware has no such parameter
+                    enable = Optional.of(whole(failsafe));
+                    changed.run();
+                    ended.accept(options.map(known -> why));
+                });
     }
 
     private static int whole(double number) {
@@ -187,7 +211,11 @@ final class VehicleFailsafe {
         };
     }
 
-    private static LostLinkAction ofCopter(int failsafe) {
+    private LostLinkAction ofCopter(int failsafe) {
+        return isGoingOnInAuto() ? LostLinkAction.CONTINUE : ofEnabled(failsafe);
+    }
+
+    private static LostLinkAction ofEnabled(int failsafe) {
         return switch (failsafe) {
             case OFF -> LostLinkAction.CONTINUE;
             case COPTER_BRAKES -> LostLinkAction.HOLD;
@@ -196,15 +224,22 @@ final class VehicleFailsafe {
         };
     }
 
+    private boolean isGoingOnInAuto() {
+        return options.filter(bits -> (bits & COPTER_GOES_ON_IN_AUTO) != 0).isPresent();
+    }
+
     /** The parameters by which it does that: {@code FS_GCS_ENABLE 1, FS_ACTION 3, after 5 s}. */
     String words() {
         if (enable.isEmpty()) {
             return ENABLE + " is not read yet";
         }
         String does = ENABLE + " " + enable.get()
-                + (flies || enable.get() == OFF
+                + (enable.get() == OFF
                         ? ""
-                        : action.map(number -> ", " + ACTION + " " + number).orElse(""));
+                        : action.map(number -> ", " + ACTION + " " + number)
+                                .or(() -> options.filter(bits -> isGoingOnInAuto())
+                                        .map(bits -> ", " + OPTIONS + " " + bits))
+                                .orElse(""));
         String after = enable.get() == OFF
                 ? ""
                 : timeoutS.map(seconds -> String.format(Locale.ROOT, ", after %.0f s", seconds))
@@ -246,10 +281,10 @@ final class VehicleFailsafe {
             }
             told.accept(why);
         };
-        if (flies) {
-            set(ENABLE, ofCopter(wanted), () -> readBack(wanted, ended), ended);
-        } else if (wanted == LostLinkAction.CONTINUE) {
+        if (wanted == LostLinkAction.CONTINUE) {
             set(ENABLE, OFF, () -> readBack(wanted, ended), ended);
+        } else if (flies) {
+            leaveAuto(() -> set(ENABLE, ofCopter(wanted), () -> readBack(wanted, ended), ended), ended);
         } else {
             int number = switch (wanted) {
                 case RETURN -> SMART_RETURN; // along the way that it came, so around what it drove around
@@ -267,6 +302,28 @@ final class VehicleFailsafe {
             case HOLD -> COPTER_BRAKES;
             case DRIFT -> COPTER_LANDS;
         };
+    }
+
+    /** Clears the bit by which a copter would go on in AUTO, and no other. */
+    private void leaveAuto(Runnable then, Consumer<Optional<String>> ended) {
+        Results.when(
+                base.parameter(id, OPTIONS),
+                thread,
+                number -> {
+                    int bits = whole(number);
+                    if ((bits & COPTER_GOES_ON_IN_AUTO) == 0) {
+                        then.run();
+                    } else {
+                        set(OPTIONS, bits & ~COPTER_GOES_ON_IN_AUTO, then, ended);
+                    }
+                },
+                why -> {
+                    if (options.isPresent()) {
+                        ended.accept(Optional.of(why));
+                    } else {
+                        then.run();
+                    }
+                });
     }
 
     private void set(String name, int value, Runnable then, Consumer<Optional<String>> ended) {

@@ -197,6 +197,16 @@ public final class SmallCopter implements AutoCloseable {
         return parameters.value(name);
     }
 
+    /** Somebody sets one of its parameters on board. */
+    public synchronized void parameter(String name, float value) {
+        parameters.set(name, value);
+    }
+
+    /** Another ground station sets one of its parameters: it says so on all its links, as ArduPilot's copters do. */
+    public synchronized void setByAnother(String name, float value) {
+        parameters.change(name, value);
+    }
+
     /** At the next command of a number its pilot takes it, and does so before it carries that out or answers. */
     public synchronized void takenByPilotAt(int command, int newMode) {
         takenAt = command;

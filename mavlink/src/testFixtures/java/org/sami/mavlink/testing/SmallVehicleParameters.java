@@ -49,6 +49,7 @@ final class SmallVehicleParameters {
                 Map.ofEntries(
                         Map.entry("STAT_BOOTCNT", 7f),
                         Map.entry("FS_GCS_ENABLE", 0f),
+                        Map.entry("FS_OPTIONS", 16f),
                         Map.entry("WPNAV_SPEED", 800f),
                         Map.entry("FENCE_ENABLE", 0f),
                         Map.entry("FENCE_TYPE", 7f),
