@@ -46,9 +46,16 @@ final class FleetKeyCommand implements Callable<Integer> {
     @Option(
             names = "--give",
             paramLabel = "ADDRESS",
-            description = "Give the key to all vehicles there: over a cable, as the key is sent in the open. "
-                    + MavlinkAddress.FORMS + ".")
+            description = "Give the key to all vehicles there: over a cable, as the key is sent in the open. Only"
+                    + " mavlink:serial:DEVICE:BAUD is taken, and mavlink:tcp of this machine, as a simulator has it.")
     private List<String> give = new ArrayList<>();
+
+    @Option(
+            names = "--over-network",
+            description =
+                    "Give it over a network too, to mavlink:tcp or mavlink:udpout of another machine: only where you"
+                            + " know that nobody else is on that network. Who reads along commands the fleet.")
+    private boolean overNetwork;
 
     @Option(
             names = "--new",
@@ -61,6 +68,7 @@ final class FleetKeyCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         List<MavlinkAddress> addresses =
                 UsageFault.of(() -> give.stream().map(AddressText::parse).toList());
+        KeyLinks.check(addresses, overNetwork);
         SigningKey key = new SigningKey(
                 renewed ? keys.keys().renewFleetKey() : keys.keys().makeFleetKey());
         PrintWriter out = spec.commandLine().getOut();
