@@ -29,6 +29,7 @@ class MavlinkReportsPageTest {
     private static final Map<String, Object> MESSAGES = Map.of(
             "WATER_DEPTH", SensorMessages.water(2.5, 18.5),
             "RANGEFINDER", SensorMessages.range(3.5),
+            "WIND", SensorMessages.wind(-120, 9.5),
             "DISTANCE_SENSOR", SensorMessages.distance(450),
             "NAMED_VALUE_FLOAT", SensorMessages.named("oxygen", 7.5),
             "NAMED_VALUE_INT", SensorMessages.named("count", 12),
@@ -41,6 +42,7 @@ class MavlinkReportsPageTest {
             "autopilot/temperature", 18.5,
             "autopilot/range", 3.5,
             "autopilot/distance", 4.5,
+            "autopilot/wind", 9.5,
             "autopilot/oxygen", 7.5,
             "autopilot/count", 12.0,
             "camera/picture", 3.0,

@@ -36,7 +36,8 @@ public record MessagePlan(List<AskedMessage> messages, int vehicles, boolean sig
             MISSION,
             new AskedMessage(162, "FENCE_STATUS", 9, 2),
             new AskedMessage(173, "RANGEFINDER", 8, 1),
-            new AskedMessage(11038, "WATER_DEPTH", 38, 1));
+            new AskedMessage(11038, "WATER_DEPTH", 38, 1),
+            new AskedMessage(168, "WIND", 12, 2));
 
     /** A plan. */
     public MessagePlan {

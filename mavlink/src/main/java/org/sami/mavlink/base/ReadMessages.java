@@ -4,6 +4,7 @@ import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.EkfStatusReport;
 import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
 import io.dronefleet.mavlink.ardupilotmega.WaterDepth;
+import io.dronefleet.mavlink.ardupilotmega.Wind;
 import io.dronefleet.mavlink.common.AutopilotVersion;
 import io.dronefleet.mavlink.common.CameraTrackingGeoStatus;
 import io.dronefleet.mavlink.common.CommandAck;
@@ -44,6 +45,7 @@ final class ReadMessages {
             WaterDepth.class,
             DistanceSensor.class,
             Rangefinder.class,
+            Wind.class,
             CameraFeedback.class,
             CameraTrackingGeoStatus.class,
             CommandAck.class,

@@ -2,6 +2,7 @@ package org.sami.mavlink.vehicle;
 
 import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
 import io.dronefleet.mavlink.ardupilotmega.WaterDepth;
+import io.dronefleet.mavlink.ardupilotmega.Wind;
 import io.dronefleet.mavlink.common.DistanceSensor;
 import io.dronefleet.mavlink.common.NamedValueFloat;
 import io.dronefleet.mavlink.common.NamedValueInt;
@@ -35,6 +36,8 @@ final class VehicleReadings {
             return List.of(new VehicleReading("distance", distance.currentDistance() * FROM_CENTI, METRES));
         } else if (message instanceof Rangefinder range) {
             return List.of(new VehicleReading("range", range.distance(), METRES));
+        } else if (message instanceof Wind wind) {
+            return List.of(new VehicleReading("wind", wind.speed(), "m/s"));
         }
         return List.of();
     }

@@ -3,6 +3,7 @@ package org.sami.mavlink.testing;
 import io.dronefleet.mavlink.ardupilotmega.CameraFeedback;
 import io.dronefleet.mavlink.ardupilotmega.Rangefinder;
 import io.dronefleet.mavlink.ardupilotmega.WaterDepth;
+import io.dronefleet.mavlink.ardupilotmega.Wind;
 import io.dronefleet.mavlink.common.CameraTrackingGeoStatus;
 import io.dronefleet.mavlink.common.CameraTrackingStatusFlags;
 import io.dronefleet.mavlink.common.DistanceSensor;
@@ -71,6 +72,11 @@ public final class SensorMessages {
     /** What a radio on the way reports of itself: how strong its signal is here, as it counts. */
     public static Object radio(int strength) {
         return RadioStatus.builder().rssi(strength).remrssi(strength).build();
+    }
+
+    /** The wind that an autopilot estimates: from where it comes, in degrees, and how strong it is, in m/s. */
+    public static Object wind(double fromDeg, double mps) {
+        return Wind.builder().direction((float) fromDeg).speed((float) mps).build();
     }
 
     /** What a depth sounder or rangefinder measures, in metres. */

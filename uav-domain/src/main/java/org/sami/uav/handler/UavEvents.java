@@ -26,11 +26,12 @@ final class UavEvents {
     static final Set<String> MOVES =
             Set.of(TAKE_OFF, CLIMB_TO, FLY_TO, FLY_PATH, HOVER, LAND, RETURN_HOME, LOOK_AROUND, SEARCH_AROUND, FOLLOW);
 
-    /** Those of the events above that need a camera: for a picture, or for what it detects. */
+    /** Those of the events above that need more than flying: a camera, for a picture or for what it detects, or an estimate of the wind. */
     static final Map<String, Demand> DEMANDS = Map.of(
             LOOK_AROUND, Demand.PANORAMA,
             SEARCH_AROUND, Demand.TARGETS,
-            WATCH_TARGETS, Demand.TARGETS);
+            WATCH_TARGETS, Demand.TARGETS,
+            WATCH_WIND, Demand.WIND);
 
     static final String AIRBORNE = "Airborne";
     static final String ALTITUDE_REACHED = "AltitudeReached";

@@ -51,9 +51,27 @@ class CopterDemandsTest {
     }
 
     @Test
+    void copterMayMeasureNoWindUnlessItHasReportedSome() {
+        BoatCapabilities estimates =
+                new BoatCapabilities(Map.of(), Optional.of(List.of("autopilot/battery", "autopilot/wind")));
+        BoatCapabilities silent = new BoatCapabilities(Map.of(BoatCapabilities.PANORAMA, WHY), Optional.empty());
+
+        assertThat(missing(BLIND, "WatchWind")).contains("mav6 may measure no wind: it has reported none so far");
+        assertThat(missing(silent, "WatchWind")).isPresent();
+        assertThat(missing(estimates, "WatchWind")).isEmpty();
+        assertThat(missing(BoatCapabilities.UNKNOWN, "WatchWind")).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"search-area", "wind-watch"})
+    void plansThatBringCoptersHomeInStrongWindNameEachThatMayMeasureNone(String plan) {
+        assertThat(missing("uav", plan, RobotKind.COPTER, BLIND_COPTER))
+                .contains("mav6 may measure no wind: it has reported none so far");
+    }
+
+    @Test
     void copterWithoutACameraFliesAndOneThatSaysNothingIsTakenToBeAble() {
         assertThat(missing(BLIND, "FlyTo")).isEmpty();
-        assertThat(missing(BLIND, "WatchWind")).isEmpty();
         assertThat(missing(BoatCapabilities.UNKNOWN, "LookAround")).isEmpty();
         assertThat(missing(BoatCapabilities.UNKNOWN, "SearchAround")).isEmpty();
     }

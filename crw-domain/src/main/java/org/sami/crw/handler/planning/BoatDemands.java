@@ -36,10 +36,13 @@ public final class BoatDemands {
         /** Reports of what a detector on board sees. */
         TARGETS,
         /** Reports of its charge. */
-        CHARGE
+        CHARGE,
+        /** Reports of how strong the wind is. */
+        WIND
     }
 
     private static final String TARGET = "target"; // the channel of such reports
+    private static final String WIND = "wind"; // the same
 
     private static final Map<String, String> WORDS = Map.of(
             BoatCapabilities.PANORAMA,
@@ -81,6 +84,7 @@ public final class BoatDemands {
             case GAINS -> cannot(robotCan, BoatCapabilities.GAINS);
             case TARGETS -> seesNone(robotCan);
             case CHARGE -> cannot(robotCan, BoatCapabilities.CHARGE);
+            case WIND -> measuresNoWind(robotCan);
         };
         return why.map(text -> robot + " " + text);
     }
@@ -90,13 +94,23 @@ public final class BoatDemands {
      * one without a camera sees none.
      */
     private static Optional<String> seesNone(BoatCapabilities robotCan) {
-        boolean reports = robotCan.measures()
-                .filter(channels -> channels.stream().anyMatch(channel -> isOf(channel, TARGET)))
-                .isPresent();
-        return reports
+        return reports(robotCan, TARGET)
                 ? Optional.empty()
                 : Optional.ofNullable(robotCan.cannot().get(BoatCapabilities.PANORAMA))
                         .map(why -> "may see no targets" + (why.isEmpty() ? "" : ": " + why));
+    }
+
+    /** Vehicles estimate the wind in flight, if at all: of one that has not reported it yet it is only likely that it will not. */
+    private static Optional<String> measuresNoWind(BoatCapabilities robotCan) {
+        return reports(robotCan, WIND) || !robotCan.isKnown()
+                ? Optional.empty()
+                : Optional.of("may measure no wind: it has reported none so far");
+    }
+
+    private static boolean reports(BoatCapabilities robotCan, String channel) {
+        return robotCan.measures()
+                .filter(channels -> channels.stream().anyMatch(one -> isOf(one, channel)))
+                .isPresent();
     }
 
     private static Optional<String> unmeasured(BoatCapabilities boatCan, String sensor) {
