@@ -39,7 +39,7 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
     private final int system;
     private final MavlinkAddress address;
     private final SteadyClock clock;
-    private volatile Optional<Aboard> aboard = Optional.empty();
+    private volatile Optional<Attachment> attachment = Optional.empty();
     private volatile boolean closed;
     private volatile long heardMs = Long.MIN_VALUE;
 
@@ -71,7 +71,7 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
 
     /** How the link is; empty before it has begun. For any thread. */
     public Optional<MavlinkLinkReport> report() {
-        return aboard.map(now -> now.link.report());
+        return attachment.map(now -> now.link.report());
     }
 
     /** How long ago a ground station was heard, in ms; empty where none was. For any thread. */
@@ -82,8 +82,8 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
 
     @Override
     public void begin(BoatServer boat, Executor boatThread, long nowMs) {
-        Aboard now = new Aboard(boat, boatThread, nowMs);
-        aboard = Optional.of(now);
+        Attachment now = new Attachment(boat, boatThread, nowMs);
+        attachment = Optional.of(now);
         if (!closed) {
             now.link.start();
         }
@@ -91,23 +91,23 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
 
     @Override
     public void tick(long nowMs) {
-        aboard.ifPresent(now -> now.tick(nowMs));
+        attachment.ifPresent(now -> now.tick(nowMs));
     }
 
     @Override
     public void end(long nowMs) {
-        aboard.ifPresent(now -> now.boat.close(nowMs));
+        attachment.ifPresent(now -> now.boat.close(nowMs));
     }
 
     /** Closes the link to ground stations and waits for its threads; not for the boat's thread. */
     @Override
     public void close() {
         closed = true;
-        aboard.ifPresent(now -> now.link.close());
+        attachment.ifPresent(now -> now.link.close());
     }
 
     /** The parts that work while it is attached. For the boat's thread. */
-    private final class Aboard implements OnboardHost {
+    private final class Attachment implements OnboardHost {
         private final OnboardLink link;
         private final BoatClient boat;
         private final CommandingStation command;
@@ -120,7 +120,7 @@ public final class GroundStationLink implements BoatCompanion, AutoCloseable {
         private BatteryLevel level = BatteryLevel.NOMINAL;
         private String shownList = "";
 
-        Aboard(BoatServer server, Executor boatThread, long nowMs) {
+        Attachment(BoatServer server, Executor boatThread, long nowMs) {
             link = new OnboardLink(name, system, address, MOST_ITEMS, this, boatThread, clock);
             boat = new BoatClient(server, nowMs);
             command = new CommandingStation(boat, name, link::say, this::commandChanged, nowMs);

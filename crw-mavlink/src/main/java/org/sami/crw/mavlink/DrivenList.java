@@ -38,7 +38,7 @@ final class DrivenList {
     private int next;
     private int seen; // the most waypoints that were known to lie behind the vehicle since it was sent along the list
     private boolean completed;
-    private boolean isOpening; // of this window
+    private boolean isReplacingStop; // of this window
 
     /** A list from its beginning. */
     DrivenList(UploadWaypoints upload) {
@@ -158,19 +158,19 @@ final class DrivenList {
 
     /** Another part of it. */
     void window(MissionWindow other) {
-        isOpening &= window == other;
+        isReplacingStop &= window == other;
         window = other;
         isWindowKnown = true;
     }
 
-    /** The next part, and the order not to stop at the gate once the vehicle has taken it, are on their way: it may drive past that before the base has read it back. */
-    void opens() {
-        isOpening = true;
+    /** The next part, and the order not to stop there once the vehicle has taken it, are on their way: it may drive past that before the base has read it back. */
+    void replacesStop() {
+        isReplacingStop = true;
     }
 
     /** The first item to which the vehicle cannot have come. */
     private int reach() {
-        return isOpening ? window.to() : window.gate();
+        return isReplacingStop ? window.to() : window.stop();
     }
 
     /** All of it, for a vehicle that has room for it. */

@@ -10,9 +10,9 @@ import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /**
- * Sends the next part of a long list to the vehicle that drives along it ({@link MissionWindow}): first the items behind the gate, and once the vehicle has taken
- * them all, the item that takes the place of the gate; then all is read back. Both come at one {@link ChangeMoment moment} that costs the vehicle least, as it
- * begins its leg again with each. A part that could not be sent is tried again, which the operator hears of, and the vehicle stops at the gate at worst. For the
+ * Sends the next part of a long list to the vehicle that drives along it ({@link MissionWindow}): first the items behind the stop, and once the vehicle has taken
+ * them all, the item that takes the place of the stop; then all is read back. Both come at one {@link ChangeMoment moment} that costs the vehicle least, as it
+ * begins its leg again with each. A part that could not be sent is tried again, which the operator hears of, and the vehicle stops there at worst. For the
  * gateway's thread.
  */
 final class MissionParts {
@@ -57,12 +57,12 @@ final class MissionParts {
             return;
         }
         list.nextWindow()
-                .filter(next -> moment.isNow(list.waypoints(), list.next(), list.waypointsUpTo(next.gate()), atMs))
+                .filter(next -> moment.isNow(list.waypoints(), list.next(), list.waypointsUpTo(next.stop()), atMs))
                 .ifPresent(next -> {
                     sending = true;
                     notBeforeMs = atMs + AGAIN_MS;
                     list.window(next); // what lies behind the vehicle is given up before it is overwritten
-                    list.opens();
+                    list.replacesStop();
                     send(list, next);
                 });
     }
@@ -75,8 +75,8 @@ final class MissionParts {
     private void opened(DrivenList list, MissionWindow next) {
         sending = false;
         lastFault = "";
-        list.window(next.opened());
-        further.accept(list, next.gate());
+        list.window(next.stoppingAtItsEnd());
+        further.accept(list, next.stop());
     }
 
     /** Only what differs from what the vehicle holds is sent. Where the list has been given another part meanwhile, that one counts. */
@@ -85,7 +85,7 @@ final class MissionParts {
                 base.replaceInSteps(
                         id,
                         HeldKind.MISSION,
-                        List.of(next.items(), next.opened().items())),
+                        List.of(next.items(), next.stoppingAtItsEnd().items())),
                 thread,
                 there -> {
                     if (isHeld.test(list) && list.window() == next) {

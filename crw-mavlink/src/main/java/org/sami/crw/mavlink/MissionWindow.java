@@ -11,10 +11,10 @@ import org.sami.mavlink.mission.MissionItem;
  * The part of a list of items that a vehicle holds. A list of at most {@link #MOST_WHOLE} items is held whole, each item in the slot of its number, and a longer
  * one too where the vehicle has room for it.
  *
- * <p>Else a longer one is held in parts, in a ring: home in slot 0, {@link #SLOTS} slots, and behind them a jump back to slot 1. In front of the first item that is
- * not held stands the gate, an item with which the vehicle keeps its place: it never drives into old items. While the vehicle drives, the next {@link #STEP}
- * items are written into slots that it has left behind, with a gate of their own behind them, and only after the vehicle has taken them all, the old gate is
- * replaced by the item that belongs there. Immutable.
+ * <p>Else a longer one is held in parts, in a circular buffer: home in slot 0, {@link #SLOTS} slots, and behind them a jump back to slot 1. In front of the first
+ * item that is not held stands the stop, an item with which the vehicle keeps its place: it never drives into old items. While the vehicle drives, the next
+ * {@link #STEP} items are written into slots that it has left behind, with a stop of their own behind them, and only after the vehicle has taken them all, the old
+ * stop is replaced by the item that belongs there. Immutable.
  *
  * <p>Source: ArduPilot's items 17 (keep the place) and 177 (jump, -1 for without end). It goes on along its leg while slots far from the vehicle are written,
  * but begins the leg again, from a standstill ({@link ChangeMoment}).
@@ -24,7 +24,7 @@ final class MissionWindow {
     static final int SLOTS = 600; // sent in 12 s at the pace of an autopilot
     static final int STEP =
             300; // large, as each change is a stop on ArduPilot's boats; divides SLOTS, so that what is written never
-    // spans both ends of the ring
+    // spans both ends of the buffer
 
     private static final int KEPT = 10; // items behind the vehicle that are not overwritten
     private static final int NAV_LOITER_UNLIMITED = 17;
@@ -33,7 +33,7 @@ final class MissionWindow {
 
     private final List<MissionItem> all;
     private final int to;
-    private final int gate;
+    private final int stop;
     private final boolean whole;
 
     /**
@@ -41,16 +41,16 @@ final class MissionWindow {
      *
      * @param all the items of the list, home first
      * @param to the first item that is not held, or the size of the list
-     * @param gate where the vehicle stops; less than {@code to} while what lies between is being written
+     * @param stop where the vehicle stops; less than {@code to} while what lies between is being written
      */
-    private MissionWindow(List<MissionItem> all, int to, int gate) {
-        this(all, to, gate, all.size() <= MOST_WHOLE);
+    private MissionWindow(List<MissionItem> all, int to, int stop) {
+        this(all, to, stop, all.size() <= MOST_WHOLE);
     }
 
-    private MissionWindow(List<MissionItem> all, int to, int gate, boolean whole) {
+    private MissionWindow(List<MissionItem> all, int to, int stop, boolean whole) {
         this.all = all;
         this.to = to;
-        this.gate = gate;
+        this.stop = stop;
         this.whole = whole;
     }
 
@@ -120,7 +120,7 @@ final class MissionWindow {
 
     /** Whether the vehicle, from where the part begins, comes to an item before it stops. */
     boolean has(int item) {
-        return item >= from() && item < gate;
+        return item >= from() && item < stop;
     }
 
     /** The slot in which an item is held. */
@@ -128,7 +128,7 @@ final class MissionWindow {
         return whole ? item : (item - 1) % SLOTS + 1;
     }
 
-    /** The item that is held in a slot; the gate's number where that stands there, 0 for home and the jump. */
+    /** The item that is held in a slot; the stop's number where that stands there, 0 for home and the jump. */
     int item(int slot) {
         if (whole) {
             return slot;
@@ -137,21 +137,21 @@ final class MissionWindow {
     }
 
     /** The item in front of which the vehicle stops; the size of the list where it stops nowhere before the end. */
-    int gate() {
-        return gate;
+    int stop() {
+        return stop;
     }
 
     /** Whether the vehicle holds this part up to its end, as far as is known. */
     boolean isComplete() {
-        return gate == to;
+        return stop == to;
     }
 
-    /** The part with its gate at the end, once all before is there. */
-    MissionWindow opened() {
+    /** The part with its stop at the end, once all before is there. */
+    MissionWindow stoppingAtItsEnd() {
         return new MissionWindow(all, to, to);
     }
 
-    /** The part to send to a vehicle that drives to an item, its gate still where it was; empty where nothing can be sent yet. */
+    /** The part to send to a vehicle that drives to an item, its stop still where it was; empty where nothing can be sent yet. */
     Optional<MissionWindow> next(int item) {
         if (!isComplete()) {
             return Optional.of(this);
@@ -176,7 +176,7 @@ final class MissionWindow {
     }
 
     private MissionItem content(int item) {
-        return item < all.size() && (item == gate || item == to)
+        return item < all.size() && (item == stop || item == to)
                 ? stop(item)
                 : all.get(item).at(slot(item));
     }
@@ -201,7 +201,7 @@ final class MissionWindow {
                 0);
     }
 
-    /** Whether a vehicle that holds such a mission drives along the list up to the gate, or up to the end of this part. Homes are not compared. */
+    /** Whether a vehicle that holds such a mission drives along the list up to the stop, or up to the end of this part. Homes are not compared. */
     boolean isHeld(List<MissionItem> held) {
         List<MissionItem> items = items();
         if (held.size() != items.size()) {
@@ -211,9 +211,9 @@ final class MissionWindow {
             return IntStream.range(1, items.size())
                     .allMatch(slot -> items.get(slot).isSameAs(held.get(slot)));
         }
-        boolean upToTheGate = items.get(SLOTS + 1).isSameAs(held.get(SLOTS + 1))
-                && IntStream.range(from(), Math.min(gate + 1, all.size()))
+        boolean isUpToTheStop = items.get(SLOTS + 1).isSameAs(held.get(SLOTS + 1))
+                && IntStream.range(from(), Math.min(stop + 1, all.size()))
                         .allMatch(item -> items.get(slot(item)).isSameAs(held.get(slot(item))));
-        return upToTheGate || (!isComplete() && opened().isHeld(held));
+        return isUpToTheStop || (!isComplete() && stoppingAtItsEnd().isHeld(held));
     }
 }

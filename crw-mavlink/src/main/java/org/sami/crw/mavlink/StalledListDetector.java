@@ -12,27 +12,27 @@ final class StalledListDetector {
     private static final long PATIENCE_MS = 3_000;
     private static final double STILL_MPS = 0.15;
 
-    private Optional<Integer> gate = Optional.empty(); // its number in the mission of the vehicle
+    private Optional<Integer> stop = Optional.empty(); // its number in the mission of the vehicle
     private long sinceMs = Long.MAX_VALUE;
 
-    /** The gate of this number has been replaced by the item that belongs there. */
-    void opened(int number) {
-        gate = Optional.of(number);
+    /** The stop of this number has been replaced by the item that belongs there. */
+    void stopReplaced(int number) {
+        stop = Optional.of(number);
         sinceMs = Long.MAX_VALUE;
     }
 
     /** The number of the item at which a stalled vehicle is to go on, once; empty where it is not stalled. To be called at each tick. */
     Optional<Integer> stays(VehicleSnapshot vehicle, long atMs) {
-        if (gate.isEmpty()) {
+        if (stop.isEmpty()) {
             return Optional.empty();
         }
         sinceMs = Math.min(sinceMs, atMs);
-        if (!vehicle.currentItem().equals(gate)) {
-            gate = Optional.empty();
+        if (!vehicle.currentItem().equals(stop)) {
+            stop = Optional.empty();
         } else if (atMs - sinceMs >= PATIENCE_MS) {
             boolean isStill = vehicle.position().map(VehiclePosition::speedMps).orElse(0.0) < STILL_MPS;
-            Optional<Integer> number = gate.filter(one -> isStill);
-            gate = Optional.empty();
+            Optional<Integer> number = stop.filter(one -> isStill);
+            stop = Optional.empty();
             return number;
         }
         return Optional.empty();

@@ -32,7 +32,7 @@ final class VehiclePaths {
     private final MissionStore store;
     private final MissionProgress judged;
     private final PathTargets targets;
-    private final StalledListDetector gate = new StalledListDetector();
+    private final StalledListDetector stalled = new StalledListDetector();
     private final Consumer<LinkMessage> broadcast;
     private final Runnable changed;
     private Optional<DrivenList> list;
@@ -160,7 +160,7 @@ final class VehiclePaths {
 
     void tick(long atMs) {
         store.tick(atMs);
-        gate.stays(motion.vehicle(), atMs)
+        stalled.stays(motion.vehicle(), atMs)
                 .filter(number -> motion.isInAuto() && motion.isOrdered())
                 .ifPresent(number -> {
                     var unused = base.command(motion.vehicle().id(), VehicleCommand.setCurrentItem(number));
@@ -170,7 +170,7 @@ final class VehiclePaths {
     /** A further part of a list is held. */
     private void further(DrivenList along, int item) {
         changed.run();
-        gate.opened(along.window().slot(item));
+        stalled.stopReplaced(along.window().slot(item));
     }
 
     /** Another vehicle has its id: nothing that was meant for this one is sent there. */

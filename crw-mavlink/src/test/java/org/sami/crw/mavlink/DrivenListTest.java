@@ -19,13 +19,13 @@ class DrivenListTest {
     private final DrivenList list = new DrivenList(new UploadWaypoints("upload", "long", WAYPOINTS));
     private MissionWindow lastPart;
 
-    /** The vehicle holds all but the last part, and is near its gate. */
+    /** The vehicle holds all but the last part, and is near its stop. */
     @BeforeEach
     void drive() {
         list.advance(700);
         lastPart = list.nextWindow().orElseThrow();
         while (lastPart.to() <= LAST) {
-            list.window(lastPart.opened());
+            list.window(lastPart.stoppingAtItsEnd());
             lastPart = list.nextWindow().orElseThrow();
         }
         list.window(lastPart);
@@ -40,7 +40,7 @@ class DrivenListTest {
 
     @Test
     void endIsReachedByAVehicleThatIsThereBeforeTheLastPartWasReadBack() {
-        list.opens();
+        list.replacesStop();
 
         assertThat(list.reached(lastPart.slot(LAST))).isTrue();
         assertThat(list.isCompleted()).isTrue();
@@ -48,7 +48,7 @@ class DrivenListTest {
 
     @Test
     void itemToWhichItGoesCountsBeforeTheLastPartWasReadBack() {
-        list.opens();
+        list.replacesStop();
 
         assertThat(list.current(lastPart.slot(LAST))).isTrue();
         assertThat(list.next()).isEqualTo(WAYPOINTS.size() - 1);
@@ -56,7 +56,7 @@ class DrivenListTest {
 
     @Test
     void partThatIsSentAgainStaysOpenedAndAnotherDoesNot() {
-        list.opens();
+        list.replacesStop();
         list.window(lastPart);
         assertThat(list.current(lastPart.slot(LAST))).isTrue();
 

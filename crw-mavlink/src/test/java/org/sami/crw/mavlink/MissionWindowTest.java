@@ -71,10 +71,10 @@ class MissionWindowTest {
                 .toList();
         MissionWindow window = MissionWindow.of(all, 1);
 
-        MissionItem gate = window.items().get(window.slot(window.gate()));
+        MissionItem stop = window.items().get(window.slot(window.stop()));
 
-        assertThat(gate.command()).isEqualTo(KEEPS_PLACE);
-        assertThat(gate.heightM()).isEqualTo(all.get(window.gate() - 1).heightM());
+        assertThat(stop.command()).isEqualTo(KEEPS_PLACE);
+        assertThat(stop.heightM()).isEqualTo(all.get(window.stop() - 1).heightM());
     }
 
     @ParameterizedTest
@@ -95,8 +95,8 @@ class MissionWindowTest {
             }
             while (window.next(item).isPresent()) {
                 MissionWindow next = window.next(item).get();
-                assertThat(drive(next.items(), next.slot(window.gate() - 1))).hasSize(1); // up to the old gate
-                window = next.opened();
+                assertThat(drive(next.items(), next.slot(window.stop() - 1))).hasSize(1); // up to the old stop
+                window = next.stoppingAtItsEnd();
             }
         }
 
@@ -110,11 +110,11 @@ class MissionWindowTest {
 
         for (int item = 1; item < LONG - 1; item++) {
             for (Optional<MissionWindow> next = window.next(item); next.isPresent(); next = window.next(item)) {
-                window = next.get().opened();
+                window = next.get().stoppingAtItsEnd();
             }
             assertThat(window.has(item)).isTrue();
             assertThat(window.has(Math.max(1, item - 5))).isTrue();
-            assertThat(window.gate() - item).isGreaterThan(Math.min(280, LONG - 1 - item));
+            assertThat(window.stop() - item).isGreaterThan(Math.min(280, LONG - 1 - item));
         }
     }
 
@@ -141,7 +141,7 @@ class MissionWindowTest {
     }
 
     @Test
-    void partThatABaseHadBegunToSendIsFoundWithItsGate() {
+    void partThatABaseHadBegunToSendIsFoundWithItsStop() {
         List<MissionItem> all = list(LONG);
         MissionWindow next = MissionWindow.of(all, 1).next(350).orElseThrow();
         List<MissionItem> half = new ArrayList<>(MissionWindow.of(all, 1).items());
@@ -149,7 +149,7 @@ class MissionWindowTest {
 
         MissionWindow found = MissionWindow.found(all, half, 0).orElseThrow();
 
-        assertThat(found.gate()).isEqualTo(MissionWindow.SLOTS);
+        assertThat(found.stop()).isEqualTo(MissionWindow.SLOTS);
         assertThat(found.isComplete()).isFalse();
         assertThat(found.next(350)).contains(found);
     }

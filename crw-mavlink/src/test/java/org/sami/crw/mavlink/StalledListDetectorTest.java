@@ -12,7 +12,7 @@ import org.sami.mavlink.vehicle.VehiclePosition;
 import org.sami.mavlink.vehicle.VehicleSnapshot;
 
 class StalledListDetectorTest {
-    private static final int GATE = 400;
+    private static final int STOP = 400;
 
     private final StalledListDetector watch = new StalledListDetector();
 
@@ -41,22 +41,22 @@ class StalledListDetectorTest {
 
     @Test
     void vehicleThatLiesAtTheGateStaysThere() {
-        watch.opened(GATE);
+        watch.stopReplaced(STOP);
 
-        assertThat(watch.stays(vehicle(GATE, 0), 10_000)).isEmpty();
-        assertThat(watch.stays(vehicle(GATE, 0), 12_900)).isEmpty();
-        assertThat(watch.stays(vehicle(GATE, 0), 13_000)).contains(GATE);
-        assertThat(watch.stays(vehicle(GATE, 0), 20_000)).isEmpty();
+        assertThat(watch.stays(vehicle(STOP, 0), 10_000)).isEmpty();
+        assertThat(watch.stays(vehicle(STOP, 0), 12_900)).isEmpty();
+        assertThat(watch.stays(vehicle(STOP, 0), 13_000)).contains(STOP);
+        assertThat(watch.stays(vehicle(STOP, 0), 20_000)).isEmpty();
     }
 
     @Test
     void vehicleThatMovesOrGoesElsewhereDoesNot() {
-        watch.opened(GATE);
-        assertThat(watch.stays(vehicle(GATE, 1), 10_000)).isEmpty();
-        assertThat(watch.stays(vehicle(GATE, 1), 13_000)).isEmpty();
+        watch.stopReplaced(STOP);
+        assertThat(watch.stays(vehicle(STOP, 1), 10_000)).isEmpty();
+        assertThat(watch.stays(vehicle(STOP, 1), 13_000)).isEmpty();
 
-        watch.opened(GATE);
-        assertThat(watch.stays(vehicle(GATE - 50, 0), 20_000)).isEmpty();
-        assertThat(watch.stays(vehicle(GATE, 0), 30_000)).isEmpty();
+        watch.stopReplaced(STOP);
+        assertThat(watch.stays(vehicle(STOP - 50, 0), 20_000)).isEmpty();
+        assertThat(watch.stays(vehicle(STOP, 0), 30_000)).isEmpty();
     }
 }
