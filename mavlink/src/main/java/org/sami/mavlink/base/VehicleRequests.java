@@ -72,7 +72,7 @@ final class VehicleRequests implements MessageAsking.Requests {
 
     /** Replaces a list that a vehicle holds, in steps where there are several, after the transfers that were asked for before, and reads it back. */
     CompletableFuture<List<MissionItem>> replace(VehicleId vehicle, HeldKind kind, List<List<MissionItem>> lists) {
-        if (table.isTwin(vehicle)) {
+        if (table.sharesId(vehicle)) {
             return refused(vehicle);
         }
         CompletableFuture<List<MissionItem>> result = new CompletableFuture<>();
@@ -83,7 +83,7 @@ final class VehicleRequests implements MessageAsking.Requests {
 
     /** Sets a parameter of a vehicle; the result is what it holds then. */
     CompletableFuture<Double> setParameter(VehicleId vehicle, String name, double value) {
-        return table.isTwin(vehicle) ? refused(vehicle) : parameters(vehicle).set(name, value, nowMs.getAsLong());
+        return table.sharesId(vehicle) ? refused(vehicle) : parameters(vehicle).set(name, value, nowMs.getAsLong());
     }
 
     private static <T> CompletableFuture<T> refused(VehicleId vehicle) {
@@ -97,7 +97,7 @@ final class VehicleRequests implements MessageAsking.Requests {
 
     /** Gives a vehicle the key of this base; completes once the vehicle signs with it. Fails where this base has none. */
     CompletableFuture<Void> giveKey(VehicleId vehicle) {
-        if (table.isTwin(vehicle)) {
+        if (table.sharesId(vehicle)) {
             return refused(vehicle);
         }
         return options.signing()
@@ -111,7 +111,7 @@ final class VehicleRequests implements MessageAsking.Requests {
     /** Gives a vehicle a command, and again until it answers. Where two vehicles have the id, none but disarming is given, and no list, parameter or key is changed. */
     CompletableFuture<CommandOutcome> command(VehicleId vehicle, VehicleCommand command, IntConsumer progress) {
         CompletableFuture<CommandOutcome> result = new CompletableFuture<>();
-        if (table.isTwin(vehicle) && !command.isDisarming()) {
+        if (table.sharesId(vehicle) && !command.isDisarming()) {
             result.complete(CommandOutcome.ambiguous(vehicle, command));
         } else {
             of(vehicle).commands().give(command, nowMs.getAsLong(), progress, result::complete);

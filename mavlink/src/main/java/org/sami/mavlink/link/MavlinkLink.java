@@ -63,7 +63,7 @@ public final class MavlinkLink implements AutoCloseable {
     private Optional<Connected> connected = Optional.empty();
     private final Map<SignatureFault, Long> refused = new EnumMap<>(SignatureFault.class);
     private Optional<String> silent = Optional.empty(); // why it was opened again, until something comes
-    private Optional<String> stranger = Optional.empty(); // what has answered there before the last break
+    private Optional<String> notMavlink = Optional.empty(); // what has answered there before the last break
     private boolean hasRadio;
     private Optional<Integer> rssi = Optional.empty();
     private Optional<Integer> remoteRssi = Optional.empty();
@@ -180,10 +180,10 @@ public final class MavlinkLink implements AutoCloseable {
         Optional<String> wrong = fault.or(() -> silent);
         if (wrong.isEmpty() && state == MavlinkLinkState.OPEN && count.messages() == 0) {
             Optional<String> noise =
-                    Optional.of(StrangePeer.NOISE).filter(words -> refused.isEmpty() && bytes > STRANGE_BYTES);
+                    Optional.of(NonMavlinkPeer.NOISE).filter(words -> refused.isEmpty() && bytes > STRANGE_BYTES);
             wrong = connected
-                    .flatMap(now -> StrangePeer.of(now.in().first()))
-                    .or(() -> stranger)
+                    .flatMap(now -> NonMavlinkPeer.of(now.in().first()))
+                    .or(() -> notMavlink)
                     .or(() -> noise);
         } else if (wrong.isEmpty()) {
             wrong = senders.fault();
@@ -276,7 +276,7 @@ public final class MavlinkLink implements AutoCloseable {
             return fellSilent();
         } catch (IOException e) {
             synchronized (this) {
-                return StrangePeer.ended(e, in.first(), count.messages());
+                return NonMavlinkPeer.ended(e, in.first(), count.messages());
             }
         }
     }
@@ -343,7 +343,8 @@ public final class MavlinkLink implements AutoCloseable {
 
     private synchronized void broken(String why) {
         earlierBytes += connected.map(now -> now.in().bytes()).orElse(0L);
-        stranger = connected.flatMap(now -> StrangePeer.of(now.in().first())).or(() -> stranger);
+        notMavlink =
+                connected.flatMap(now -> NonMavlinkPeer.of(now.in().first())).or(() -> notMavlink);
         connected = Optional.empty();
         state = MavlinkLinkState.BROKEN;
         fault = Optional.of(why);

@@ -7,12 +7,12 @@ import java.util.Objects;
 import java.util.Optional;
 
 /** Words for the other end of a link that is no vehicle, or has ended the link: what answered, and what to do. */
-final class StrangePeer {
+final class NonMavlinkPeer {
     static final String NOISE = "what comes is no MAVLink: is it the right port, and the right baud rate?";
 
     private static final String LOOK = "look at host and port (ArduPilot's simulator listens on TCP 5760)";
 
-    private StrangePeer() {}
+    private NonMavlinkPeer() {}
 
     /** What answers, by the first characters that came; empty where they tell nothing. */
     static Optional<String> of(String first) {
@@ -32,9 +32,9 @@ final class StrangePeer {
      * @param messages how many messages came that could be read
      */
     static String ended(IOException why, String first, long messages) {
-        Optional<String> stranger = messages > 0 ? Optional.empty() : of(first);
-        if (stranger.isPresent()) {
-            return stranger.get();
+        Optional<String> notMavlink = messages > 0 ? Optional.empty() : of(first);
+        if (notMavlink.isPresent()) {
+            return notMavlink.get();
         } else if (!(why instanceof EOFException)) {
             return "it broke: " + Objects.requireNonNullElse(why.getMessage(), why.toString()) + "; it is opened again";
         } else if (messages > 0) {

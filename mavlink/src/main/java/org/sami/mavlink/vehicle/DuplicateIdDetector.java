@@ -64,7 +64,7 @@ final class DuplicateIdDetector {
     }
 
     /** Whether two vehicles have the id, as far as the last seconds show. */
-    boolean isTwin(long nowMs) {
+    boolean isDuplicate(long nowMs) {
         return nowMs - lastButOneMs < WITHIN_MS;
     }
 }

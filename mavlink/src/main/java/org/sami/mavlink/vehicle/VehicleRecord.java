@@ -40,7 +40,7 @@ final class VehicleRecord {
     private static final int FULL_PERCENT = 100;
     private static final long POSITION_MS = 5_000; // a position that is older says no longer where it is
     private static final long SILENT_MS = 3_000; // after which another vehicle may answer
-    private static final long TWIN_MS = 10_000; // in which one of two with the id may not have been heard
+    private static final long SHARED_ID_MS = 10_000; // in which one of two with the id may not have been heard
     private static final int ABSOLUTE_POSITION = 16; // of the filter's flags
     private static final int NO_POSITION = 128;
 
@@ -72,7 +72,7 @@ final class VehicleRecord {
     private boolean beaten;
     private VehicleKind kind = VehicleKind.OTHER; // for which it is taken
     private Optional<String> number = Optional.empty(); // of the autopilot for which it is taken
-    private boolean toldTwin; // that two vehicles have the id
+    private boolean toldSharedId; // that two vehicles have the id
     private boolean numberSaid; // since it was silent or has started again
     private long mayFlyMs = Long.MIN_VALUE / 2; // when it last said that it is something that may fly
     private long beatMs;
@@ -111,10 +111,10 @@ final class VehicleRecord {
         } else if (links.isNews(from.link(), nowMs)) {
             take(payload, nowMs, events);
         }
-        if (isTwin() && !toldTwin) {
+        if (sharesId() && !toldSharedId) {
             events.add(new VehicleEvent.SharedId(id, from.link()));
         }
-        toldTwin = isTwin();
+        toldSharedId = sharesId();
         if (payload instanceof Heartbeat || payload instanceof AutopilotVersion) {
             compare(events);
         }
@@ -138,7 +138,7 @@ final class VehicleRecord {
 
     /** Whether it is still what it was taken for. While two vehicles have the id, that is no news. */
     private void compare(List<VehicleEvent> events) {
-        if (isTwin()) {
+        if (sharesId()) {
             return;
         }
         VehicleKind said = VehicleKind.of(type);
@@ -201,11 +201,11 @@ final class VehicleRecord {
 
     private void clock(long bootMs, long nowMs, List<VehicleEvent> events) {
         if (duplicates.restarted(bootMs, nowMs)) {
-            if (!isTwin()) {
+            if (!sharesId()) {
                 restarted();
                 events.add(new VehicleEvent.Restarted(id));
             }
-        } else if (bootClock.isBehind(bootMs, nowMs) && !isTwin()) {
+        } else if (bootClock.isBehind(bootMs, nowMs) && !sharesId()) {
             events.add(new VehicleEvent.ClockBehind(id));
         }
     }
@@ -274,12 +274,12 @@ final class VehicleRecord {
 
     /** Whether it may fall where its motors are turned off: it flies, so does another vehicle with its id, or it was not heard just now and may be another one. */
     boolean mayFly(long nowMs) {
-        return nowMs - mayFlyMs <= TWIN_MS || nowMs - beatMs > SILENT_MS;
+        return nowMs - mayFlyMs <= SHARED_ID_MS || nowMs - beatMs > SILENT_MS;
     }
 
     /** Whether two vehicles have this id, as far as the last seconds show. */
-    boolean isTwin() {
-        return duplicates.isTwin(heardMs);
+    boolean sharesId() {
+        return duplicates.isDuplicate(heardMs);
     }
 
     /** When it was heard last. */
@@ -378,7 +378,7 @@ final class VehicleRecord {
     }
 
     private VehicleHealth healthNow() {
-        VehicleHealth now = isTwin() ? health.withSharedId(id) : health;
+        VehicleHealth now = sharesId() ? health.withSharedId(id) : health;
         for (MavlinkAddress link : own.others()) {
             now = now.withOther(id, link);
         }

@@ -105,9 +105,9 @@ public final class VehicleTable {
     }
 
     /** Whether two vehicles have this id, as far as the last seconds show. */
-    public boolean isTwin(VehicleId id) {
+    public boolean sharesId(VehicleId id) {
         return Optional.ofNullable(vehicles.get(id))
-                .filter(VehicleRecord::isTwin)
+                .filter(VehicleRecord::sharesId)
                 .isPresent();
     }
 

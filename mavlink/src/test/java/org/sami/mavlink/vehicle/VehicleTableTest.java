@@ -107,7 +107,7 @@ class VehicleTableTest {
         }
 
         assertThat(replaced).isEqualTo(2);
-        assertThat(table.isTwin(new VehicleId(1, 1))).isTrue();
+        assertThat(table.sharesId(new VehicleId(1, 1))).isTrue();
         assertThat(table.mayFly(new VehicleId(1, 1), 9_500)).isTrue();
     }
 
@@ -284,18 +284,18 @@ class VehicleTableTest {
             place(45.7, 100_000 + i, 1_000 + i * 250);
             place(45.7, 500_000 + i, 1_010 + i * 250);
         }
-        assertThat(table.isTwin(only().id())).isTrue();
+        assertThat(table.sharesId(only().id())).isTrue();
         assertThat(only().health().failing()).containsExactly("another vehicle has the id 1 too");
 
         for (int i = 0; i < 60; i++) { // one of them is switched off
             place(45.7, 600_000 + i * 250, 3_000 + i * 250);
         }
-        assertThat(table.isTwin(only().id())).isFalse();
+        assertThat(table.sharesId(only().id())).isFalse();
         for (int i = 0; i < 4; i++) {
             place(45.7, 700_000 + i, 30_000 + i * 250);
             place(45.71, 700_000 + i, 30_010 + i * 250);
         }
-        assertThat(table.isTwin(only().id())).isTrue();
+        assertThat(table.sharesId(only().id())).isTrue();
     }
 
     @Test
@@ -522,7 +522,7 @@ class VehicleTableTest {
         assertThat(only().health().failing()).containsExactly("another vehicle has the id 1 on " + RADIO);
         assertThat(only().position().orElseThrow().latDeg()).isCloseTo(45.7, within(1e-6));
         assertThat(table.isForeign(one, RADIO)).isTrue();
-        assertThat(table.isTwin(one)).isFalse();
+        assertThat(table.sharesId(one)).isFalse();
     }
 
     @Test
