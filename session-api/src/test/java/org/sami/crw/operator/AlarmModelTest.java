@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.InetSocketAddress;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
@@ -166,6 +167,26 @@ class AlarmModelTest {
         assertThat(alarm(Kind.BATTERY_LOW))
                 .map(Alarm::text)
                 .contains("The battery of anna is low: 20 %, for about 3600 m");
+    }
+
+    @Test
+    void batteryAlarmOfAVehicleThatReportsNoChargeSaysWhoHasFoundItCritical() {
+        batteryPercent = 0;
+        level = BatteryLevel.CRITICAL;
+        Gains gains = new Gains(1, 0, 0);
+        settings = Optional.of(new BoatTuning(
+                gains,
+                gains,
+                1,
+                LostLinkAction.HOLD,
+                Optional.empty(),
+                new BoatCapabilities(Map.of(BoatCapabilities.CHARGE, "it has no current sensor"), Optional.empty()),
+                BoatPerformance.UNKNOWN));
+        see("anna", HOME, NORTH, 0);
+
+        assertThat(alarm(Kind.BATTERY_CRITICAL))
+                .map(Alarm::text)
+                .contains("The battery of anna is critical by its autopilot's own limits");
     }
 
     @Test

@@ -325,13 +325,17 @@ class LaunchCheckTest {
                 new BoatCapabilities(Map.of(BoatCapabilities.CHARGE, "it has no current sensor"), Optional.empty()),
                 BoatPerformance.UNKNOWN));
 
-        LaunchCheck before =
-                LaunchCheck.of(boat(NOW, 100, BatteryLevel.NOMINAL, unmeasured), OptionalDouble.of(0.5), FACTS);
-        LaunchCheck after =
-                LaunchCheck.of(boat(NOW, 0, BatteryLevel.CRITICAL, unmeasured), OptionalDouble.of(0.5), FACTS);
+        BoatSnapshot before = boat(NOW, 100, BatteryLevel.NOMINAL, unmeasured);
+        BoatSnapshot after = boat(NOW, 0, BatteryLevel.CRITICAL, unmeasured);
 
-        assertThat(before.words()).isEqualTo("ready; battery of unknown charge: it has no current sensor");
-        assertThat(after.words()).isEqualTo("battery critical: put a full one in");
+        assertThat(UnknownCharge.word(before)).contains("unknown");
+        assertThat(UnknownCharge.word(after)).contains("critical");
+        assertThat(UnknownCharge.word(boat(NOW, 80, BatteryLevel.NOMINAL, Optional.empty())))
+                .isEmpty();
+        assertThat(LaunchCheck.of(before, OptionalDouble.of(0.5), FACTS).words())
+                .isEqualTo("ready; battery of unknown charge: it has no current sensor");
+        assertThat(LaunchCheck.of(after, OptionalDouble.of(0.5), FACTS).words())
+                .isEqualTo("battery critical: put a full one in");
     }
 
     private static LaunchFacts facts(RobotKind robots, Optional<LostLinkAction> wish) {
