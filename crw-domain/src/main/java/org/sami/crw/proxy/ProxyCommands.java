@@ -53,6 +53,13 @@ public final class ProxyCommands {
         return driver.queue().find(commandId).map(QueuedCommand::visited);
     }
 
+    /** Whether the boat was asked to carry out a command, in the try that is under way; not while something keeps every command from the boat since before that. */
+    public boolean isBegun(String commandId) {
+        return driver.run()
+                .filter(run -> run.queued().command().commandId().equals(commandId))
+                .isPresent();
+    }
+
     /** The list that the boat said last that it holds; the name is empty if it said that it holds none. */
     public Optional<String> heldListId() {
         return condition.heldListId;

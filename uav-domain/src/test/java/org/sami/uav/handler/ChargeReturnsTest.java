@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.KeepStation;
 import org.sami.crw.service.Geodesy;
 import org.sami.spn.protocol.Ids;
@@ -143,6 +144,55 @@ class ChargeReturnsTest {
         harness.pass(30);
 
         assertThat(fromHomeM()).isGreaterThan(400);
+    }
+
+    /** Another base has it, and lands it where it is. */
+    private OtherBase landBySomebodyElse() {
+        OtherBase other =
+                new OtherBase(harness.clock, harness.fleet.boat("copter1").orElseThrow());
+        harness.pass(2);
+        other.proxy.handOver().takeCommand();
+        harness.pass(2);
+        assertThat(harness.proxy("copter1").isCommanding()).isFalse();
+        GeoPoint below = Flights.at(harness.flights.position("copter1").orElseThrow(), 0);
+        other.proxy.commands().submit(FollowPath.of("land", 1, 1, List.of(below), Priority.HIGH));
+        harness.pass(60);
+        assertThat(harness.altM("copter1")).isZero();
+        assertThat(fromHomeM()).isGreaterThan(50);
+        return other;
+    }
+
+    @Test
+    void copterThatSomebodyElseHasLandedStaysDownWhereThisBaseHasItAgain() {
+        comeHome();
+        OtherBase other = landBySomebodyElse();
+        other.proxy.commands().withdraw(1);
+        other.proxy.handOver().observe();
+        harness.proxy("copter1").handOver().takeCommand();
+        harness.pass(30);
+
+        assertThat(harness.proxy("copter1").isCommanding()).isTrue();
+        assertThat(harness.altM("copter1")).isZero();
+        assertThat(harness.proxy("copter1").commands().current()).isEmpty();
+    }
+
+    @Test
+    void copterThatIsDownAfterItsServerHasStartedAnewStaysDownWhereItIsAllowedToMove() {
+        comeHome();
+        String id = harness.proxy("copter1").commands().current().orElseThrow().commandId();
+        harness.proxy("copter1").knownBoot("another start");
+        harness.report("copter1", 0);
+
+        assertThat(harness.proxy("copter1").commands().visitedCount(id)).isEmpty();
+    }
+
+    @Test
+    void commandHomeStaysUntilItsEndWhileTheCopterTouchesDown() {
+        comeHome();
+        String id = harness.proxy("copter1").commands().current().orElseThrow().commandId();
+        harness.report("copter1", 0.4);
+
+        assertThat(harness.proxy("copter1").commands().visitedCount(id)).isPresent();
     }
 
     @Test

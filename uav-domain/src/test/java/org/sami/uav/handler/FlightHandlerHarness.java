@@ -7,15 +7,18 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.Frame;
 import org.sami.boat.link.Gains;
 import org.sami.boat.link.LostLinkAction;
 import org.sami.boat.link.SettingsReport;
+import org.sami.boat.link.Telemetry;
 import org.sami.boat.link.Waypoint;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.fleet.publishing.FleetEvents;
@@ -25,6 +28,7 @@ import org.sami.crw.handler.motion.MotionCommands;
 import org.sami.crw.handler.motion.WayQuestions;
 import org.sami.crw.handler.planning.CrwServices;
 import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.sim.clock.VirtualClock;
 import org.sami.crw.sim.fleet.FleetConfig;
 import org.sami.crw.sim.fleet.SimulatedFleet;
@@ -220,6 +224,26 @@ final class FlightHandlerHarness implements HandlerContext {
         Optional<Waypoint> place = home.map(at -> new Waypoint(at.latDeg(), at.lonDeg(), Flights.SPEED_MPS));
         SettingsReport report = new SettingsReport(none, none, 1, LostLinkAction.HOLD, place, Optional.empty());
         proxy(copter).receive(new Frame(1, "", report), clock.nowMs());
+    }
+
+    /** A copter says that it flies along its path at another altitude, in m; what it says itself afterwards does not count any longer. */
+    void report(String copter, double altM) {
+        BoatProxy proxy = proxy(copter);
+        BoatPose pose = proxy.status().pose().orElseThrow();
+        proxy.receive(
+                new Frame(
+                        Long.MAX_VALUE,
+                        "",
+                        new Telemetry(
+                                pose.position().latDeg(),
+                                pose.position().lonDeg(),
+                                pose.headingRad(),
+                                0,
+                                proxy.status().battery().orElseThrow().percent(),
+                                BoatMode.PATH,
+                                clock.nowMs(),
+                                OptionalDouble.of(altM))),
+                clock.nowMs());
     }
 
     /** What was answered, in order. */

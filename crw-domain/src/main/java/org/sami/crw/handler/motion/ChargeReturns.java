@@ -108,6 +108,14 @@ final class ChargeReturns implements AircraftMemory.Part {
         });
     }
 
+    /**
+     * Whether the aircraft is on the last metres of a command home, which it is left to end. Where others have it, or it has started anew, the command waits: it
+     * would take off from where it was put down as soon as it can be commanded.
+     */
+    private static boolean isCarriedOut(BoatProxy robot, String command) {
+        return robot.isCommanding() && robot.commands().isBegun(command);
+    }
+
     /** Whether an aircraft comes home, or does so again once it has nothing else to do. */
     boolean has(String aircraft) {
         return all.containsKey(aircraft);
@@ -203,6 +211,7 @@ final class ChargeReturns implements AircraftMemory.Part {
                 && current.filter(other -> other.mission() == Ids.NONE).isPresent();
         if (isDown || isTaken || isByHand) {
             all.remove(robot.boatId());
+            one.command.filter(id -> !isCarriedOut(robot, id)).ifPresent(robot.commands()::withdraw);
         } else if (one.command.isEmpty() && current.isEmpty()) {
             send(one, robot);
         }
