@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
+import java.util.stream.Stream;
 import org.sami.boat.link.MotionDefaults;
 import org.sami.crw.area.OperatingArea;
 import org.sami.crw.handler.activation.PlanAreas;
@@ -22,6 +23,8 @@ import org.sami.crw.message.OperatorMessage;
 import org.sami.crw.operator.OperatorLog;
 import org.sami.crw.operator.OperatorLogEntry.Kind;
 import org.sami.crw.proxy.BoatProxy;
+import org.sami.crw.proxy.ProxyCommands;
+import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.command.KeepStation;
 import org.sami.session.api.BoatStart;
@@ -43,6 +46,7 @@ import org.sami.spn.value.GeoPoint;
  * front's executor, a refusal as a {@link RefusedException}.
  */
 public final class ByHand implements GuidedBoats {
+    private static final String GUIDED = "guided-"; // begins the ids of its commands
 
     private final Fleet fleet;
     private final EngineHost host;
@@ -131,19 +135,31 @@ public final class ByHand implements GuidedBoats {
         });
     }
 
-    /** Cancels what the operator asked of a boat: it goes on with the commands of missions. */
+    /** Cancels what the operator asked of a boat: it goes on with the commands of missions, and an aircraft that comes home for want of charge does so. */
     @Override
     public CompletionStage<Void> giveBack(String boat) {
         wish(boat);
-        return tell(
-                boat,
-                "let " + boat + " go on with its missions",
-                proxy -> proxy.commands().withdraw(Ids.NONE));
+        return tell(boat, "let " + boat + " go on with its missions", proxy -> takeBack(proxy.commands()));
+    }
+
+    /** Takes back what was ordered by hand. A command home for want of charge is no mission's either, and stays. */
+    private static void takeBack(ProxyCommands commands) {
+        List<String> ofNoMission = Stream.concat(commands.current().stream(), commands.waiting().stream())
+                .filter(command -> command.mission() == Ids.NONE)
+                .map(BoatCommand::commandId)
+                .toList();
+        List<String> byHand =
+                ofNoMission.stream().filter(id -> id.startsWith(GUIDED)).toList();
+        if (byHand.size() == ofNoMission.size()) {
+            commands.withdraw(Ids.NONE); // with the place that a boat holds since it gave such a command up
+        } else {
+            byHand.forEach(commands::withdraw);
+        }
     }
 
     /** Notes that there is a later wish for a boat. Gives the id of its command: the session's time goes on where an earlier process ended. */
     private String wish(String boat) {
-        String command = "guided-" + nowMillis.getAsLong() + "-" + wishes.incrementAndGet() + "-" + boat;
+        String command = GUIDED + nowMillis.getAsLong() + "-" + wishes.incrementAndGet() + "-" + boat;
         latest.put(boat, command);
         return command;
     }

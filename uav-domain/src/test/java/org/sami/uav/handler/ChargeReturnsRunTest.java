@@ -2,8 +2,11 @@ package org.sami.uav.handler;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.proxy.status.BoatPose;
 import org.sami.crw.report.FiringResult;
@@ -14,6 +17,7 @@ import org.sami.crw.service.Geodesy;
 import org.sami.crw.sim.run.InProcessRun;
 import org.sami.crw.sim.run.Pacer;
 import org.sami.crw.sim.run.RunObserver;
+import org.sami.crw.sim.run.record.RunProgress;
 import org.sami.spn.json.ProjectReader;
 import org.sami.spn.model.Project;
 import org.sami.spn.value.GeoPoint;
@@ -44,15 +48,41 @@ class ChargeReturnsRunTest {
         """;
 
     private static final long HOME_MS = 90_000;
+    private static final long FLYING_MS = 20_000; // after its start it is in the air
 
-    @Test
-    void copterIsDownAtHomeAfterAPlanThatEndedAsItCouldNotFly() {
+    private static InProcessRun prepared() {
         Project project =
                 new ProjectReader(UavRuns.DOMAIN.vocabulary()).read(FAR).orThrow();
-        InProcessRun run = UavRuns.Run.of("far", 1)
+        return UavRuns.Run.of("far", 1)
                 .charged("36")
                 .answering("{\"event\": \"LongWay\", \"answer\": {\"silent\": true}}")
                 .prepared(project);
+    }
+
+    @Test
+    void copterThatIsHeldByHandWhileNobodyAnswersComesHomeOnceItIsGivenBack() {
+        InProcessRun run = prepared();
+        Set<String> held = new HashSet<>();
+        Consumer<RunProgress> holding = progress -> {
+            if (progress.simulatedMillis() > FLYING_MS && progress.openDecisions() > 0 && held.add("copter1")) {
+                run.session().byHand().hold("copter1");
+            }
+        };
+        run.run(Pacer.UNPACED, new RunObserver(holding, () -> false));
+        run.coast(HOME_MS);
+        assertThat(held).isNotEmpty();
+        assertThat(positions(run)).allMatch(at -> at.altM() > 10);
+
+        run.session().byHand().giveBack("copter1");
+        run.coast(HOME_MS);
+        assertThat(positions(run))
+                .singleElement()
+                .satisfies(at -> assertThat(at.altM()).isZero());
+    }
+
+    @Test
+    void copterIsDownAtHomeAfterAPlanThatEndedAsItCouldNotFly() {
+        InProcessRun run = prepared();
         RunReport report = run.run(Pacer.UNPACED, RunObserver.NONE);
 
         TrackPoint start = report.boats().get(0).track().get(0);
