@@ -1,11 +1,13 @@
 package org.sami.uav.handler;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.sami.boat.link.BatteryDefaults;
@@ -32,7 +34,9 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
     private final Impossible impossible;
     private final Memory memory;
     private final Map<TaskId, Map<String, Failed>> failures = new HashMap<>(); // by task and aircraft
-    private final Map<String, Double> charges = new HashMap<>(); // by aircraft, in percent
+    private final Map<String, Double> charges =
+            new HashMap<>(); // by aircraft, in percent; at its latest failure until it has reported one
+    private final Set<String> heard = new HashSet<>(); // aircraft that have
 
     /**
      * Those that the missions remember.
@@ -93,8 +97,11 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
     private Map<String, Failed> at(TaskId task) {
         return failures.computeIfAbsent(task, unused -> {
             Map<String, Failed> found = new HashMap<>(memory.of(task));
-            found.forEach((aircraft, failed) -> failed.percent()
-                    .ifPresent(percent -> charges.putIfAbsent(aircraft, percent))); // until it says its own
+            found.forEach((aircraft, failed) -> failed.percent().ifPresent(percent -> {
+                if (!heard.contains(aircraft)) { // its latest failure: an earlier one would make this another battery
+                    charges.merge(aircraft, percent, Math::min);
+                }
+            }));
             found.entrySet()
                     .removeIf(one -> one.getValue().percent().isPresent()
                             && isRecharged(
@@ -113,6 +120,7 @@ final class TaskFailures implements Consumer<FleetEvent>, HostListener {
         if (event instanceof FleetEvent.StatusReported reported) {
             String aircraft = reported.status().boatId();
             reported.status().battery().map(BatteryState::percent).ifPresent(percent -> {
+                heard.add(aircraft);
                 Double before = charges.put(aircraft, percent);
                 if (before != null && isRecharged(before, percent)) {
                     beginAnew(aircraft);

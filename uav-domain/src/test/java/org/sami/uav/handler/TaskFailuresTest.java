@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.sami.crw.handler.activation.Addressee;
@@ -225,6 +226,31 @@ class TaskFailuresTest {
 
         TaskFailures later = failures(List.of("copter1"));
         assertThat(later.candidates(TASK, List.of("copter1"))).containsExactly("copter1");
+    }
+
+    @Test
+    void failuresAtALaterTaskWithLessChargeCountForTheNextBaseToo() {
+        TaskId later = new TaskId(1, "Search 2");
+        kept.put(TASK, Map.of("copter1", new TaskFailures.Failed(2, OptionalDouble.of(90))));
+        kept.put(later, Map.of("copter1", new TaskFailures.Failed(2, OptionalDouble.of(60))));
+        TaskFailures next = failures(List.of("copter1"));
+
+        assertThat(next.isOut(TASK, "copter1")).isTrue();
+        assertThat(next.isOut(later, "copter1")).isTrue();
+        harness.listen(next);
+        charge("copter1", 58);
+        assertThat(next.isOut(TASK, "copter1")).isTrue();
+        assertThat(next.isOut(later, "copter1")).isTrue();
+    }
+
+    @Test
+    void anotherBatteryThatWasReportedBeforeTheFailuresWereLookedUpCounts() {
+        kept.put(TASK, Map.of("copter1", new TaskFailures.Failed(2, OptionalDouble.of(60))));
+        TaskFailures next = failures(List.of("copter1"));
+        harness.listen(next);
+        charge("copter1", 100);
+
+        assertThat(next.isOut(TASK, "copter1")).isFalse();
     }
 
     @Test
