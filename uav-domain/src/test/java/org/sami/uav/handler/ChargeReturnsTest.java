@@ -45,6 +45,18 @@ class ChargeReturnsTest {
         assertThat(harness.altM("copter1")).isGreaterThan(10);
     }
 
+    @Test
+    void returnIsRememberedWithTheAnswerAndBeforeTheNextReport() {
+        harness.fleet.boat("copter1").orElseThrow().hull().setBatteryPercent(36);
+        harness.pass(5);
+        flyTo(250);
+        harness.pass(70);
+        flyTo(900);
+        harness.answerLate();
+
+        assertThat(harness.memory).containsKey("charge-return/copter1");
+    }
+
     private double fromHomeM() {
         return Geodesy.distanceM(harness.flights.position("copter1").orElseThrow(), home);
     }

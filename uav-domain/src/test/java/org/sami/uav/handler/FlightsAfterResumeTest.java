@@ -93,6 +93,23 @@ class FlightsAfterResumeTest {
     }
 
     @Test
+    void copterThatHasHadAnotherBatterySinceIsNotSentHomeByTheNextBase() throws IOException {
+        try (JournalledBase base = base(plan(45.718), 36)) {
+            start(base, "p", Map.of());
+            base.await("LongWay");
+            while (!base.ask(view -> view.missions()).isEmpty()) {
+                base.pass(1);
+            }
+            base.pass(5);
+            base.copter().setBatteryPercent(90);
+            base.restart();
+            base.pass(120);
+
+            assertThat(base.copter().altM().orElseThrow()).isGreaterThan(10);
+        }
+    }
+
+    @Test
     void yesToAFlightHoldsForWhatIsDoneAtItsEndUnderTheNextBase() throws IOException {
         try (JournalledBase base = base(plan(45.708), 34)) {
             start(base, "p", Map.of());

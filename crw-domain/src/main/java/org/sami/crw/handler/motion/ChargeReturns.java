@@ -1,5 +1,6 @@
 package org.sami.crw.handler.motion;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -7,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.LongSupplier;
 import java.util.function.UnaryOperator;
+import org.sami.boat.link.BatteryDefaults;
 import org.sami.crw.fleet.FleetEvent;
 import org.sami.crw.handler.activation.Addressee;
 import org.sami.crw.message.MessageSink;
@@ -16,15 +18,19 @@ import org.sami.crw.proxy.ProxyRegistry;
 import org.sami.crw.proxy.command.BoatCommand;
 import org.sami.crw.proxy.command.FollowPath;
 import org.sami.crw.proxy.explanation.ExplainedCommand;
+import org.sami.crw.proxy.status.BatteryState;
 import org.sami.crw.service.reach.Flight;
 import org.sami.spn.host.EngineHost;
 import org.sami.spn.host.HandlerContext;
 import org.sami.spn.protocol.Activation;
 import org.sami.spn.protocol.Ids;
+import org.sami.spn.protocol.Input;
 import org.sami.spn.protocol.Priority;
 import org.sami.spn.value.GeoPoint;
 import org.sami.spn.value.IntegerValue;
 import org.sami.spn.value.ListValue;
+import org.sami.spn.value.RealValue;
+import org.sami.spn.value.Value;
 
 /**
  * Aircraft that the base itself brings home, as their charges last for that alone. The command is no mission's, so that the end of a plan does not take it back. What a
@@ -38,6 +44,9 @@ final class ChargeReturns implements AircraftMemory.Part {
     private final ClearWays clearWays;
     private final MessageSink messages;
     private final Map<String, Return> all = new HashMap<>(); // by aircraft
+    private final Map<String, Double> earlier =
+            new HashMap<>(); // by aircraft that an earlier base sent home, and that has not said its charge since: its
+    // charge then
     private long made;
 
     ChargeReturns(ProxyRegistry robots, ClearWays clearWays, MessageSink messages) {
@@ -51,16 +60,18 @@ final class ChargeReturns implements AircraftMemory.Part {
      *
      * @param mission whose flight was not sent
      * @param limit has its way keep clear of what is to be avoided
+     * @param percent its charge when it was sent home, as far as it had said
      * @param command with which it comes; empty while something else has taken its place
      */
     private record Return(
             long mission,
+            OptionalDouble percent,
             Priority priority,
             LongSupplier nowMillis,
             UnaryOperator<Move> limit,
             Optional<String> command) {
         Return with(Optional<String> other) {
-            return new Return(mission, priority, nowMillis, limit, other);
+            return new Return(mission, percent, priority, nowMillis, limit, other);
         }
 
         boolean is(BoatCommand other) {
@@ -86,14 +97,28 @@ final class ChargeReturns implements AircraftMemory.Part {
     void begin(Activation activation, HandlerContext context, String aircraft) {
         Return before = all.get(aircraft);
         if (before == null || before.command.isEmpty()) {
-            Return one = new Return(
-                    activation.mission(),
-                    activation.priority(),
-                    context::nowMillis,
-                    move -> clearWays.limit(activation, context, List.of(move)).get(0),
-                    Optional.empty());
-            robots.find(aircraft).ifPresent(robot -> send(one, robot));
+            robots.find(aircraft).ifPresent(robot -> {
+                Return one = new Return(
+                        activation.mission(),
+                        percent(robot),
+                        activation.priority(),
+                        context::nowMillis,
+                        move -> clearWays
+                                .limit(activation, context, List.of(move))
+                                .get(0),
+                        Optional.empty());
+                send(one, robot);
+            });
+            if (has(aircraft)) { // at once, as the answer is: a base that goes on sends it nowhere else
+                context.post(new Input.Remember(Ids.NONE, prefix() + aircraft, of(aircraft)));
+            }
         }
+    }
+
+    private static OptionalDouble percent(BoatProxy robot) {
+        return robot.status().battery().stream()
+                .mapToDouble(BatteryState::percent)
+                .findFirst();
     }
 
     private void send(Return one, BoatProxy robot) {
@@ -171,22 +196,32 @@ final class ChargeReturns implements AircraftMemory.Part {
         return "charge-return/";
     }
 
-    /** The mission whose flight was not sent. */
+    /** The mission whose flight was not sent, and its charge then, where that is known. */
     @Override
     public ListValue of(String aircraft) {
         return Optional.ofNullable(all.get(aircraft))
-                .map(one -> new ListValue(List.of(new IntegerValue(one.mission))))
+                .map(one -> {
+                    List<Value> values = new ArrayList<>(List.of(new IntegerValue(one.mission)));
+                    one.percent.ifPresent(percent -> values.add(new RealValue(percent)));
+                    return new ListValue(values);
+                })
                 .orElse(AircraftMemory.NOTHING);
     }
 
-    /** It comes home once it has nothing else to do. */
+    /** It comes home once it has nothing else to do, unless it has had another battery since. */
     @Override
     public void goOn(String aircraft, ListValue before, EngineHost host) {
         if (before.items().get(0) instanceof IntegerValue mission) {
+            OptionalDouble percent = before.items().stream()
+                    .filter(RealValue.class::isInstance)
+                    .mapToDouble(value -> ((RealValue) value).value())
+                    .findFirst();
+            percent.ifPresent(charge -> earlier.put(aircraft, charge));
             all.putIfAbsent(
                     aircraft,
                     new Return(
                             mission.value(),
+                            percent,
                             Priority.HIGH,
                             host::nowMillis,
                             move -> clearWays.limit(host.ask(view -> WayLimits.of(mission.value(), view)), move),
@@ -194,9 +229,25 @@ final class ChargeReturns implements AircraftMemory.Part {
         }
     }
 
+    /** Whether nothing is to be done with an aircraft that an earlier base sent home: it has not said its charge yet, or has had another battery, and is forgotten. */
+    private boolean isUndecided(BoatProxy robot) {
+        Double before = earlier.get(robot.boatId());
+        OptionalDouble now = percent(robot);
+        if (before == null) {
+            return false;
+        } else if (now.isPresent()) {
+            earlier.remove(robot.boatId());
+        }
+        if (now.isPresent() && now.getAsDouble() >= before + BatteryDefaults.RECHARGED_PERCENT) {
+            all.remove(robot.boatId());
+            return true;
+        }
+        return now.isEmpty();
+    }
+
     private void follow(BoatProxy robot) {
         Return one = all.get(robot.boatId());
-        if (one == null) {
+        if (one == null || isUndecided(robot)) {
             return;
         }
         boolean isDown = robot.status()
