@@ -53,7 +53,7 @@ public final class ProxyCommands {
         return driver.queue().find(commandId).map(QueuedCommand::visited);
     }
 
-    /** Whether the boat was asked to carry out a command, in the try that is under way; not while something keeps every command from the boat since before that. */
+    /** Whether a try to have the boat carry out a command is under way. It may be so where another client has the boat since; not after a restart of the boat's server. */
     public boolean isBegun(String commandId) {
         return driver.run()
                 .filter(run -> run.queued().command().commandId().equals(commandId))
