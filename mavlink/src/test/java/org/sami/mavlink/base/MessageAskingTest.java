@@ -32,6 +32,7 @@ import org.sami.mavlink.vehicle.VehicleTable;
 class MessageAskingTest {
     private static final MavlinkAddress RADIO = AddressText.parse("mavlink:serial:/dev/ttyUSB0:57600");
     private static final int FILTER = 193; // EKF_STATUS_REPORT
+    private static final int MESSAGES = 9; // that each vehicle is asked for
     private static final int TICK_MS = 100;
     private static final int SECOND_MS = 1_000;
 
@@ -159,7 +160,7 @@ class MessageAskingTest {
         };
         pass(600, 3);
 
-        assertThat(sent).doesNotHaveDuplicates().hasSize(8);
+        assertThat(sent).doesNotHaveDuplicates().hasSize(MESSAGES);
     }
 
     @Test
@@ -201,7 +202,7 @@ class MessageAskingTest {
         assertThat(positionEveryS(1)).isCloseTo(planned(3), within(1e-3));
         assertThat(sent)
                 .as("each is asked once, and nobody who has left")
-                .hasSize(3 * 8)
+                .hasSize(3 * MESSAGES)
                 .extracting(Sent::vehicle)
                 .containsOnly(1, 2, 3);
         assertThat(asking.plan(RADIO).vehicles()).isEqualTo(3);
@@ -217,6 +218,6 @@ class MessageAskingTest {
         pass(10, all);
 
         assertThat(positionEveryS(1)).isCloseTo(planned(25), within(1e-3));
-        assertThat(sent.stream().filter(one -> one.vehicle() == 1)).hasSize(8);
+        assertThat(sent.stream().filter(one -> one.vehicle() == 1)).hasSize(MESSAGES);
     }
 }
