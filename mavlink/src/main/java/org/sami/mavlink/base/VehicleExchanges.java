@@ -45,7 +45,7 @@ final class VehicleExchanges {
             if (event instanceof VehicleEvent.Said said) {
                 commands.heard(said.text());
             } else if (event instanceof VehicleEvent.Restarted) {
-                restarted(nowMs);
+                restarted();
             }
         }
         if (AnswerTargets.isForAnother(message)) {
@@ -56,9 +56,8 @@ final class VehicleExchanges {
         parameters.take(message, nowMs);
     }
 
-    /** Its autopilot has started again: what it holds may be another, and it is not moved by what was asked of it before. */
-    void restarted(long nowMs) {
-        commands.restarted(nowMs);
+    /** Its autopilot has started again: what it holds may be another. */
+    void restarted() {
         lists.forget();
     }
 

@@ -155,7 +155,7 @@ final class VehicleRequests implements MessageAsking.Requests {
 
     /** A vehicle's autopilot has started again. */
     void restarted(VehicleId vehicle) {
-        Optional.ofNullable(exchanges.get(vehicle)).ifPresent(open -> open.restarted(nowMs.getAsLong()));
+        Optional.ofNullable(exchanges.get(vehicle)).ifPresent(VehicleExchanges::restarted);
     }
 
     /** Another vehicle answers with this id: what was asked of the one before fails, and nothing of it is sent again. */

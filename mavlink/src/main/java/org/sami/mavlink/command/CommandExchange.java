@@ -130,16 +130,6 @@ final class CommandExchange {
         return tries > 0 && !answered;
     }
 
-    /** The vehicle has started again. Whether the exchange has ended by that. */
-    boolean restarted() {
-        if (!over && verdict.isEmpty() && command.isOverByRestart()) {
-            over = true;
-            said.add("it has started again");
-            return true;
-        }
-        return false;
-    }
-
     boolean isOver() {
         return over;
     }

@@ -84,22 +84,6 @@ public final class PendingCommands {
         forFirst(exchange -> exchange.heard(text));
     }
 
-    /** The vehicle has started again: what would arm it or have it go somewhere ends unanswered, and is not sent again. */
-    public void restarted(long nowMs) {
-        List<Waiting> ended = new ArrayList<>();
-        for (Deque<Waiting> waiting : byNumber.values()) {
-            List<Waiting> over =
-                    waiting.stream().filter(each -> each.exchange().restarted()).toList();
-            boolean isFirstOver = !over.isEmpty() && over.get(0).equals(waiting.getFirst());
-            waiting.removeAll(over);
-            if (isFirstOver && !waiting.isEmpty()) {
-                waiting.getFirst().exchange().begin(nowMs);
-            }
-            ended.addAll(over);
-        }
-        ended.forEach(PendingCommands::report);
-    }
-
     /** Sends again what is overdue. */
     public void tick(long nowMs) {
         forFirst(exchange -> exchange.tick(nowMs));

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * A command of the command protocol (MAV_CMD), with its parameters.
@@ -32,12 +31,6 @@ public record VehicleCommand(
     private static final int REBOOT = 246;
     private static final int TAKE_PICTURES = 2_000;
     private static final int TRIGGER_CAMERA = 203;
-    private static final int START_MISSION = 300;
-    private static final String CHANGE_TO = "change to ";
-
-    /** Modes in which a vehicle stays where it is, or lands. */
-    private static final Set<String> STAYING = Set.of("HOLD", "LOITER", "BRAKE", "POSHOLD", "ALT_HOLD", "LAND");
-
     private static final double CUSTOM_MODE = 1;
     private static final double GROUND_SPEED = 1;
     private static final double FORCED_DISARM = 21_196; // the number that the protocol asks for
@@ -60,19 +53,6 @@ public record VehicleCommand(
     /** Whether it turns motors off. */
     public boolean isDisarming() {
         return number == ARM_DISARM && params.get(0) == 0;
-    }
-
-    /**
-     * Whether a vehicle that starts again meanwhile may not be given it any longer: it arms it or has it go somewhere, which was asked of the vehicle as it was
-     * before, or it is the order to start again.
-     */
-    public boolean isOverByRestart() {
-        return switch (number) {
-            case ARM_DISARM -> !isDisarming();
-            case SET_MODE -> !STAYING.contains(does.replace(CHANGE_TO, ""));
-            case TAKE_OFF, REPOSITION, SET_CURRENT, START_MISSION, REBOOT -> true;
-            default -> false;
-        };
     }
 
     /** Any command that has no place, its parameters from param1 on; those left out are 0. Commands of its number are sent one after the other. */
@@ -105,7 +85,7 @@ public record VehicleCommand(
 
     /** Changes the mode to the number that the autopilot gives it; {@code name} is for people. */
     public static VehicleCommand setMode(long customMode, String name) {
-        return made(SET_MODE, CHANGE_TO + name, true, CUSTOM_MODE, (double) customMode);
+        return made(SET_MODE, "change to " + name, true, CUSTOM_MODE, (double) customMode);
     }
 
     /** Makes an item of the mission the one that is carried out now, or next in mode AUTO. */

@@ -3,7 +3,6 @@ package org.sami.mavlink.base;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.dronefleet.mavlink.common.CommandAck;
-import io.dronefleet.mavlink.common.CommandInt;
 import io.dronefleet.mavlink.common.CommandLong;
 import io.dronefleet.mavlink.common.MavCmd;
 import io.dronefleet.mavlink.common.MavMissionResult;
@@ -13,19 +12,15 @@ import io.dronefleet.mavlink.common.MissionAck;
 import io.dronefleet.mavlink.common.MissionCount;
 import io.dronefleet.mavlink.common.MissionRequest;
 import io.dronefleet.mavlink.common.MissionRequestInt;
-import io.dronefleet.mavlink.minimal.Heartbeat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.sami.mavlink.command.CommandOutcome;
-import org.sami.mavlink.command.CommandPlace;
-import org.sami.mavlink.command.CommandVerdict;
 import org.sami.mavlink.command.VehicleCommand;
 import org.sami.mavlink.mission.HeldKind;
 import org.sami.mavlink.mission.MissionItem;
-import org.sami.mavlink.vehicle.VehicleEvent;
 import org.sami.mavlink.vehicle.VehicleId;
 
 /** What is asked of a vehicle that another ground station speaks with too, on a clock of the test's own. */
@@ -124,47 +119,5 @@ class VehicleExchangesTest {
         assertThat(sent).hasOnlyElementsOfType(MissionCount.class); // once more
         says(ack(MavMissionResult.MAV_MISSION_DENIED, OURS));
         assertThat(result).isCompletedExceptionally();
-    }
-
-    private void give(VehicleCommand command) {
-        vehicle.commands().give(command, 0, percent -> {}, ended::add);
-    }
-
-    private List<Integer> sentAgainAfterARestart() {
-        sent.clear();
-        vehicle.take(Heartbeat.builder().build(), 0, List.of(new VehicleEvent.Restarted(new VehicleId(3, 1))), 300);
-        for (long now = 400; now < 10_000; now += 100) {
-            vehicle.tick(now);
-        }
-        return sent.stream()
-                .map(message -> message instanceof CommandInt command
-                        ? command.command().value()
-                        : ((CommandLong) message).command().value())
-                .distinct()
-                .toList();
-    }
-
-    @Test
-    void ordersThatMoveOrArmEndWhenTheVehicleStartsAgainAndAreNotSentToIt() {
-        give(VehicleCommand.arm());
-        give(VehicleCommand.setMode(10, "AUTO"));
-        give(VehicleCommand.takeOff(10));
-        give(VehicleCommand.setCurrentItem(3));
-        give(VehicleCommand.reposition(new CommandPlace(45, 10, 0), Optional.empty()));
-
-        assertThat(sentAgainAfterARestart()).isEmpty();
-        assertThat(ended).hasSize(5).extracting(CommandOutcome::verdict).containsOnly(CommandVerdict.UNANSWERED);
-        assertThat(ended)
-                .extracting(CommandOutcome::inWords)
-                .contains("vehicle 3 does not answer when it is asked to arm: it has started again");
-    }
-
-    @Test
-    void stopAndRequestsGoOnWhenTheVehicleStartsAgain() {
-        give(VehicleCommand.disarm());
-        give(VehicleCommand.setMode(4, "HOLD"));
-        give(VehicleCommand.sendEvery(33, 1));
-
-        assertThat(sentAgainAfterARestart()).containsExactlyInAnyOrder(400, 176, VehicleCommand.SEND_EVERY);
     }
 }
