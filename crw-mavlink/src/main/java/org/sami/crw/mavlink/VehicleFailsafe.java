@@ -137,9 +137,7 @@ final class VehicleFailsafe {
                 failsafe -> {
                     watched.holds(ENABLE, failsafe);
                     if (whole(failsafe) == OFF) {
-                        enable = Optional.of(whole(failsafe));
-                        changed.run();
-                        ended.accept(Optional.empty());
+                        judged(failsafe, ended, Optional.empty());
                     } else if (flies) {
                         readOptions(failsafe, ended);
                     } else {
@@ -155,10 +153,8 @@ final class VehicleFailsafe {
                 thread,
                 number -> {
                     watched.holds(ACTION, number);
-                    enable = Optional.of(whole(failsafe));
                     action = Optional.of(whole(number));
-                    changed.run();
-                    ended.accept(Optional.empty());
+                    judged(failsafe, ended, Optional.empty());
                 },
                 why -> ended.accept(Optional.of(why)));
     }
@@ -170,15 +166,16 @@ final class VehicleFailsafe {
                 number -> {
                     watched.holds(OPTIONS, number);
                     options = Optional.of(whole(number));
-                    enable = Optional.of(whole(failsafe));
-                    changed.run();
-                    ended.accept(Optional.empty());
+                    judged(failsafe, ended, Optional.empty());
                 },
-                why -> { // earlier firmware has no such parameter
-                    enable = Optional.of(whole(failsafe));
-                    changed.run();
-                    ended.accept(options.map(known -> why));
-                });
+                why -> judged(failsafe, ended, options.map(known -> why))); // earlier firmware has no such parameter
+    }
+
+    /** All is read that tells what it does, or why not. */
+    private void judged(double failsafe, Consumer<Optional<String>> ended, Optional<String> why) {
+        enable = Optional.of(whole(failsafe));
+        changed.run();
+        ended.accept(why);
     }
 
     private static int whole(double number) {

@@ -12,7 +12,6 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.sami.boat.link.Ack;
 import org.sami.boat.link.BatteryReport;
-import org.sami.boat.link.BoatMode;
 import org.sami.boat.link.HeldWaypoints;
 import org.sami.boat.link.HoldPosition;
 import org.sami.boat.link.Nack;
@@ -420,112 +419,6 @@ class AutopilotCommandsTest {
 
         assertThat(boat.isArmed()).isTrue();
         assertThat(boat.mode()).isEqualTo(LOITER);
-    }
-
-    @Test
-    void vehicleThatAPilotTakesWhileAnOrderRunsIsNotDisarmedAsThatFails() {
-        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
-        boat.faults().ignoresSpeeds(true);
-        StartWaypoints start = new StartWaypoints("start", "first", 0);
-        client.say(start);
-        Await.until("it drives", () -> boat.isArmed() && boat.mode() == AUTO);
-
-        boat.takenByPilot(MANUAL, true);
-
-        assertThat(client.answerTo(start)).isInstanceOf(Nack.class);
-        assertThat(boat.isArmed()).isTrue();
-        assertThat(boat.mode()).isEqualTo(MANUAL);
-    }
-
-    @Test
-    void vehicleThatAPilotTakesWhileItsMissionIsSentDoesNotSetOff() {
-        boat.faults().ignoresMissions(true);
-        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
-        StartWaypoints start = new StartWaypoints("start", "first", 0);
-        client.say(start);
-
-        boat.takenByPilot(MANUAL, true);
-
-        assertThat(client.answerTo(start))
-                .isInstanceOfSatisfying(
-                        Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.NOT_COMMANDER));
-        Await.until("it is noticed that it is taken", client::isObserver);
-        assertStaysAsMissionComes(MANUAL, true);
-        assertThat(boat.orderedModes()).doesNotContain(AUTO);
-    }
-
-    @Test
-    void boatThatAPilotDisarmsAsSoonAsAnOrderHasArmedItIsHis() {
-        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
-        boat.faults().ignoresSpeeds(true);
-        StartWaypoints start = new StartWaypoints("start", "first", 0);
-        client.say(start);
-        Await.until(
-                "it is seen to drive",
-                () -> client.last(Telemetry.class).orElseThrow().mode() == BoatMode.PATH);
-
-        boat.takenByPilot(AUTO, false);
-
-        assertThat(client.answerTo(start))
-                .isInstanceOfSatisfying(
-                        Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.NOT_COMMANDER));
-        Await.until("it is noticed that it is taken", client::isObserver);
-        assertThat(boat.isArmed()).isFalse();
-    }
-
-    private void assertStaysAsMissionComes(int mode, boolean armed) {
-        int uploads = boat.mission().uploads();
-        boat.faults().ignoresMissions(false);
-        Await.until("it holds the mission", () -> boat.mission().uploads() > uploads);
-        long before = client.count(Telemetry.class);
-        Await.until("it has said where it is", () -> client.count(Telemetry.class) > before + 3);
-        assertThat(boat.mode()).isEqualTo(mode);
-        assertThat(boat.isArmed()).isEqualTo(armed);
-    }
-
-    @Test
-    void boatThatAPilotDisarmsWhileItsMissionIsSentIsNotArmedAgain() {
-        assertThat(client.ask(new HoldPosition("hold"))).isInstanceOf(Ack.class);
-        boat.faults().ignoresMissions(true);
-        assertThat(client.ask(upload("first"))).isInstanceOf(Ack.class);
-        client.say(new StartWaypoints("start", "first", 0));
-
-        boat.takenByPilot(LOITER, false);
-
-        Await.until("it is noticed that it is taken", client::isObserver);
-        assertStaysAsMissionComes(LOITER, false);
-    }
-
-    @Test
-    void vehicleThatSomebodyStartsBeforeAnythingIsOrderedIsTheirs() {
-        boat.takenByPilot(MANUAL, true);
-
-        Await.until("it is noticed that it is taken", client::isObserver);
-        assertThat(client.ask(upload("refused")))
-                .isInstanceOfSatisfying(
-                        Nack.class, nack -> assertThat(nack.reason()).isEqualTo(NackReason.NOT_COMMANDER));
-        client.takeCommand();
-        drive();
-    }
-
-    @Test
-    void vehicleThatSomebodyArmsInHoldBeforeAnythingIsOrderedSetsOffWhenItIsOrderedTo() {
-        boat.takenByPilot(HOLD, true);
-        long before = client.count(Telemetry.class);
-        Await.until("it has said where it is", () -> client.count(Telemetry.class) > before + 3);
-
-        assertThat(client.isObserver()).isFalse();
-        drive();
-    }
-
-    @Test
-    void vehicleThatSomebodyStartsAfterAnOrderHasFailedIsTheirs() {
-        failsToSetOff();
-
-        boat.takenByPilot(MANUAL, true);
-
-        Await.until("it is noticed that it is taken", client::isObserver);
-        assertThat(boat.mode()).isEqualTo(MANUAL);
     }
 
     @Test

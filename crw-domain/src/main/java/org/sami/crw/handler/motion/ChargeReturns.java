@@ -44,9 +44,10 @@ final class ChargeReturns implements AircraftMemory.Part {
     private final ClearWays clearWays;
     private final MessageSink messages;
     private final Map<String, Return> all = new HashMap<>(); // by aircraft
-    private final Map<String, Double> earlier =
-            new HashMap<>(); // by aircraft that an earlier base sent home, and that has not said its charge since: its
-    // charge then
+
+    /** The charges with which an earlier base sent aircraft home, of those that have not said theirs since. */
+    private final Map<String, Double> earlier = new HashMap<>();
+
     private long made;
 
     ChargeReturns(ProxyRegistry robots, ClearWays clearWays, MessageSink messages) {
